@@ -1,10 +1,15 @@
 // Proves a plan free of collisions in continuous time, trusting no planner: from the scene and the
 // plan's numbers alone. Shares nothing with planning but geometry/.
+//
+// In order: the plan's form; each robot by itself (start, limits, speeds, bounds, obstacles, its
+// own links, goal), segment by segment; every pair of robots from 0 to the end of time, a broad
+// phase in space and time first; the costs that the plan claims.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/model/plan.h"
@@ -14,16 +19,16 @@ namespace accord {
 
 struct Violation {
   enum class Kind {
-    kForm,      // robots, waypoints or times are missing, unknown, out of order or not finite
-    kStart,     // does not begin at the start
-    kGoal,      // does not end at the goal (headings, continuous joints: up to 2 pi)
-    kLimit,     // leaves a degree of freedom's bounds
-    kSpeed,     // moves faster than allowed
-    kBounds,    // leaves the scene's bounds
+    kForm,    // robots, waypoints or times are missing, unknown, out of order or not finite
+    kStart,   // does not begin at the start
+    kGoal,    // does not end at the goal (headings, continuous joints: up to 2 pi)
+    kLimit,   // leaves a degree of freedom's bounds
+    kSpeed,   // moves faster than allowed
+    kBounds,  // leaves the scene's bounds
     kObstacle,
     kSelf,
-    kRobots,    // two robots
-    kCosts,     // makespan or costs do not match the paths
+    kRobots,  // two robots
+    kCosts,   // makespan or costs do not match the paths
   };
   Kind kind;
   std::vector<std::string> robots;
@@ -34,11 +39,13 @@ struct Violation {
   std::string text;  // one sentence: what, who, when, where, by how much
 };
 
+std::string_view to_string(Violation::Kind kind);
+
 struct Separation {
-  double distance;          // m: a proven lower bound
-  double time;              // s
-  std::string first;        // robot
-  std::string second;       // robot or obstacle
+  double distance;     // m: a proven lower bound, never below the clearance
+  double time;         // s, near it
+  std::string first;   // robot
+  std::string second;  // robot or obstacle
 };
 
 struct Verdict {
