@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Checks that include lines keep to the layers of docs/architecture.md.
+
+A folder may include itself and what RULES names, and a third party's headers only where OWNERS
+allows. Prints a line for every breach; exits 1 if there is one. Checks itself first.
+"""
+
+import pathlib
+import re
+import sys
+
+COMMON = ["common/model", "common/geometry", "common/planning"]
+ALL_COMMON = COMMON + ["common/io", "common/runtime", "common/transport"]
+RULES = {
+    "common/model": [],
+    "common/geometry": ["common/model"],
+    "common/planning": ["common/model", "common/geometry"],
+    "common/io": COMMON,
+    "common/runtime": COMMON,
+    "common/transport": COMMON + ["common/io", "common/runtime"],
+    "worker": ALL_COMMON,
+    "coordinator": ALL_COMMON,
+    "client": ALL_COMMON + ["worker", "coordinator"],
+}
+
+# Third parties' headers, and the folders that may include them.
+OWNERS = {
+    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h": ["common/transport"],
+    r"google/protobuf/|.*\.pb\.h": ["common/io", "common/transport"],
+    r"fcl/|ccd/": ["common/geometry"],
+    r"yaml-cpp/|tinyxml2\.h|assimp/": ["common/io"],
+    r"CLI/": ["client", "coordinator/main", "worker/main"],
+}
+# Of these, none may appear in a header: it would reach whoever includes that header.
+SOURCES_ONLY = r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|google/protobuf/|.*\.pb\.h"
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def folder_of(path):
+    """The layer that a path belongs to, None if it is none of ours."""
+    return next((folder for folder in RULES if path.startswith(folder + "/")), None)
+
+
+def breaches_of_line(path, included):
+    folder = folder_of(path)
+    target = folder_of(included)
+    if target and target != folder and target not in RULES[folder]:
+        yield f"{folder} must not include {target}"
+    for pattern, owners in OWNERS.items():
+        if re.match(pattern, included) and not any(path.startswith(owner) for owner in owners):
+            yield f"only {', '.join(owners)} may include it"
+    if re.match(SOURCES_ONLY, included) and path.endswith(".h"):
+        yield "not in a header: DDS and Protobuf stay inside sources"
+
+
+def breaches(path, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := INCLUDE.match(line):
+            for reason in breaches_of_line(path, match[2]):
+                yield f"{path}:{number}: #include {match[2]}: {reason}"
+
+
+def self_test():
+    bad = [
+        ("common/model/a.h", '#include "common/geometry/b.h"'),
+        ("common/planning/a.cpp", '#include "common/io/b.h"'),
+        ("common/io/a.cpp", '#include "common/runtime/b.h"'),
+        ("worker/a.cpp", '#include "coordinator/b.h"'),
+        ("coordinator/a.cpp", '# include "worker/b.h"'),
+        ("coordinator/a.cpp", "#include <fastdds/dds/topic.hpp>"),
+        ("common/transport/a.h", "#include <fastdds/dds/topic.hpp>"),
+        ("common/model/a.cpp", "#include <fcl/fcl.h>"),
+    ]
+    good = [
+        ("common/planning/a.cpp", '#include "common/geometry/b.h"'),
+        ("client/a.cpp", '#include "coordinator/b.h"'),
+        ("common/transport/a.cpp", "#include <fastdds/dds/topic.hpp>"),
+        ("worker/a.cpp", "#include <vector>"),
+    ]
+    for path, line in bad:
+        assert list(breaches(path, line)), f"not noticed: {path}: {line}"
+    for path, line in good:
+        assert not list(breaches(path, line)), f"wrongly noticed: {path}: {line}"
+
+
+def main():
+    self_test()
+    root = pathlib.Path(__file__).resolve().parents[2]
+    files = [f for folder in RULES for f in sorted((root / folder).rglob("*"))
+             if f.suffix in (".h", ".cpp")]
+    assert files, "no sources found"
+    found = [b for f in files for b in breaches(str(f.relative_to(root)), f.read_text())]
+    print("\n".join(found) or f"{len(files)} files keep to the layers")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
