@@ -27,6 +27,15 @@ void difference(const RobotModel& model, ConfigurationView a, ConfigurationView 
   }
 }
 
+void nearest_representation(const RobotModel& model, ConfigurationView a, ConfigurationView b,
+                            std::span<double> out) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  for (std::size_t i = 0; i < model.dof(); ++i) {
+    const double turns = model.dofs[i].wraps ? std::round((b[i] - a[i]) / kTurn) : 0;
+    out[i] = turns == 0 ? b[i] : b[i] - turns * kTurn;
+  }
+}
+
 double least_duration(const RobotModel& model, std::span<const double> delta) {
   const std::size_t translations = model.translations();
   double squared = 0;

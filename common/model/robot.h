@@ -77,6 +77,11 @@ struct RobotModel {
 void difference(const RobotModel& model, ConfigurationView a, ConfigurationView b,
                 std::span<double> out);
 
+// b in the numbers that lie nearest to a: degrees of freedom that wrap moved by whole turns, all
+// others, and those already within half a turn, exactly as they are. out may alias b.
+void nearest_representation(const RobotModel& model, ConfigurationView a, ConfigurationView b,
+                            std::span<double> out);
+
 // The least time (s) in which a robot can move linearly by `delta` (numbers as written, nothing
 // is wrapped) within its speed and velocity limits. Rounded up by kSpeedMargin, so that rounding of
 // times further on cannot push a motion past a limit.

@@ -1,0 +1,126 @@
+#include "client/engine/planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "client/engine/local_workforce.h"
+#include "client/engine/watchdog.h"
+#include "common/geometry/collision_world.h"
+#include "common/geometry/tolerances.h"
+#include "common/planning/verifier.h"
+#include "coordinator/arc.h"
+
+namespace accord {
+namespace {
+
+// Conflicts are looked for with half of planning's margin, so that what planning avoids is not
+// found to be a conflict again for rounding.
+constexpr double kDetectionMargin = 0.5 * kPlanningMargin;
+constexpr auto kReportEvery = std::chrono::milliseconds(50);
+
+using Clock = std::chrono::steady_clock;
+
+ProgressCallback thinned(const ProgressCallback& progress) {
+  if (!progress) return {};
+  return [progress, last = Clock::time_point{}, phase = std::optional<Progress::Phase>{}](
+             const Progress& now) mutable {
+    if (phase == now.phase && Clock::now() - last < kReportEvery) return;
+    phase = now.phase;
+    last = Clock::now();
+    progress(now);
+  };
+}
+
+std::vector<PlanSegment> segments(const Scene& scene, const std::vector<CouplingSegment>& coupling,
+                                  double arrival) {
+  std::vector<PlanSegment> out;
+  for (const CouplingSegment& segment : coupling) {
+    if (segment.from >= arrival && !out.empty()) break;
+    PlanSegment named{segment.from, std::min(segment.to, arrival), {}, segment.solver};
+    for (const RobotId robot : segment.robots) named.robots.push_back(scene.robot(robot).name);
+    out.push_back(std::move(named));
+  }
+  if (!out.empty()) out.back().to = arrival;
+  return out;
+}
+
+void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
+  for (std::uint32_t id = 0; id < scene.robots.size(); ++id) {
+    RobotPlan robot;
+    robot.name = scene.robot({id}).name;
+    robot.trajectory = schedule.path({id}).tidied();
+    robot.segments = segments(scene, schedule.coupling({id}), robot.trajectory.end_time());
+    plan.robots.push_back(std::move(robot));
+  }
+  compute_costs(plan);
+}
+
+void fill_statistics(const ArcStatistics& from, double conflicts_share, Plan& plan) {
+  const auto add = [&](std::string name, auto value) {
+    plan.statistics.emplace_back(std::move(name), static_cast<double>(value));
+  };
+  add("conflicts_found", from.conflicts_found);
+  add("conflicts_resolved", from.conflicts_resolved);
+  add("rounds", from.rounds);
+  add("subproblems", from.subproblems);
+  add("subproblems_exhausted", from.exhausted);
+  for (const auto& [solver, count] : from.solved_by) add("solved_by_" + solver, count);
+  add("windows_grown", from.windows_grown);
+  add("robots_taken_in", from.robots_taken_in);
+  add("searches", from.effort.searches);
+  add("expansions", from.effort.expansions);
+  add("samples", from.effort.samples);
+  add("motion_checks", from.effort.motion_checks);
+  add("pair_checks", from.pair_checks);
+  add("lower_bound", from.lower_bound);
+  add("initial_paths_time", from.initial_time);
+  add("conflicts_time", conflicts_share);
+}
+
+}  // namespace
+
+const std::vector<std::string>& solver_names() { return local_solver_names(); }
+
+Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
+          const ProgressCallback& progress, const std::atomic<bool>* cancel) {
+  const auto begin = Clock::now();
+  const Watchdog watchdog(options.timeout, cancel);
+  const CollisionWorld planning(scene, kPlanningMargin);
+  const CollisionWorld detection(scene, kDetectionMargin);
+  LocalWorkforce workforce(planning, options.solvers.empty() ? solver_names() : options.solvers,
+                           std::max(1u, options.workers));
+  const ProgressCallback report = thinned(progress);
+  Arc arc(planning, detection, options.seed, workforce, watchdog.stop(), report);
+
+  Plan plan;
+  plan.scene = scene->name;
+  plan.seed = options.seed;
+  plan.timestep = scene->timestep;
+  const ArcOutcome outcome = arc.run();
+  plan.status = outcome.status;
+  plan.message = outcome.message;
+  if (watchdog.timed_out() && outcome.status == PlanStatus::kCancelled) {
+    plan.status = PlanStatus::kTimeout;
+    plan.message = "the deadline passed with " +
+                   std::to_string(arc.statistics().conflicts_resolved) + " conflicts resolved of " +
+                   std::to_string(arc.statistics().conflicts_found) + " found";
+  }
+  fill_statistics(arc.statistics(), arc.statistics().conflict_time, plan);
+  if (plan.status == PlanStatus::kSolved) {
+    fill_robots(*scene, arc.schedule(), plan);
+    if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});
+    const auto proof_begin = Clock::now();
+    const Verdict verdict = verify(scene, plan, options.workers);
+    if (!verdict.proved()) {
+      throw std::logic_error("the planner made a plan that does not hold: " +
+                             verdict.violation->text);
+    }
+    plan.statistics.emplace_back(
+        "proof_time", std::chrono::duration<double>(Clock::now() - proof_begin).count());
+  }
+  plan.planning_time = std::chrono::duration<double>(Clock::now() - begin).count();
+  return plan;
+}
+
+}  // namespace accord

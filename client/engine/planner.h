@@ -1,0 +1,39 @@
+// Plans a scene with ARC, from the scene to a proven plan, inside this process: what `accord plan`
+// calls. Algorithm 1 of the paper.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/model/plan.h"
+#include "common/model/scene.h"
+#include "coordinator/progress.h"
+
+namespace accord {
+
+struct PlanOptions {
+  std::uint64_t seed = 1;
+  std::optional<double> timeout;     // s, wall clock; it can only end a request, never shape a plan
+  unsigned workers = 1;              // threads that solve; changes nothing but the time it takes
+  std::vector<std::string> solvers;  // the hierarchy, in order; empty: the default one
+};
+
+// Names of the solvers that PlanOptions::solvers may hold, in the default order.
+const std::vector<std::string>& solver_names();
+
+// `progress` is called from the thread that called plan(), at most every 50 ms and at each change
+// of phase.
+// Returns a plan with status solved that the verifier has proved, or one whose message says why
+// there is none (infeasible, timeout, cancelled when `cancel` becomes true). A plan that the
+// verifier refutes is a bug of the planner: std::logic_error that carries the verifier's words.
+// Requires: options.solvers holds names of solver_names() only; the scene passed io's checks.
+Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
+          const ProgressCallback& progress = {}, const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace accord

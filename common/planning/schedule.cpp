@@ -1,0 +1,114 @@
+#include "common/planning/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace accord {
+namespace {
+
+// Two waypoints closer in time than this are one: a splice at a waypoint must not leave a sliver
+// whose speed is all rounding.
+constexpr double kSameInstant = 1e-9;  // s
+
+void append_if_later(Trajectory& path, double t, ConfigurationView q) {
+  if (path.empty() || t > path.end_time() + kSameInstant) path.append(t, q);
+}
+
+// The part of a coupling timeline inside [from, to), moved by `shift`.
+void copy_clipped(const std::vector<CouplingSegment>& segments, double from, double to,
+                  double shift, std::vector<CouplingSegment>& out) {
+  for (const CouplingSegment& segment : segments) {
+    const double begin = std::max(segment.from, from), end = std::min(segment.to, to);
+    if (begin < end) out.push_back({begin + shift, end + shift, segment.robots, segment.solver});
+  }
+}
+
+// Whether a local path's end is the task's goal, up to whole turns.
+bool reaches_goal(const RobotModel& model, const Task& task, ConfigurationView end) {
+  constexpr double kSamePlace = 1e-9;
+  Configuration delta(end.size());
+  difference(model, task.goal, end, delta);
+  return std::ranges::all_of(delta, [](double d) { return std::abs(d) <= kSamePlace; });
+}
+
+bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& resolution) {
+  if (!resolution.solved || resolution.paths.size() != subproblem.tasks.size()) return false;
+  for (std::size_t i = 0; i < resolution.paths.size(); ++i) {
+    const Trajectory& path = resolution.paths[i];
+    const Task& task = subproblem.tasks[i];
+    if (path.empty() || path.dof() != task.start.size()) return false;
+    if (path.start_time() != subproblem.from) return false;
+    if (path.end_time() > resolution.end) return false;
+    if (!std::ranges::equal(path.configuration(0), task.start)) return false;
+    const RobotModel& model = *scene.robot(task.robot).model;
+    if (!reaches_goal(model, task, path.configuration(path.size() - 1))) return false;
+  }
+  return resolution.end > subproblem.from;
+}
+
+}  // namespace
+
+Schedule::Schedule(std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)), entries_(scene_->robots.size()) {}
+
+void Schedule::set_initial(RobotId robot, Trajectory path, std::string solver) {
+  Entry& entry = entries_[robot.index()];
+  entry.coupling = {{0, path.end_time(), {robot}, std::move(solver)}};
+  entry.path = std::move(path);
+  ++entry.version;
+}
+
+bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution) {
+  if (!fits(*scene_, subproblem, resolution)) return false;
+  for (const Task& task : subproblem.tasks) {
+    if (version(task.robot) != task.version) return false;
+  }
+  std::vector<RobotId> robots;
+  for (const Task& task : subproblem.tasks) robots.push_back(task.robot);
+  for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
+    const Task& task = subproblem.tasks[i];
+    Entry& entry = entries_[task.robot.index()];
+    std::vector<CouplingSegment> coupling;
+    copy_clipped(entry.coupling, 0, subproblem.from, 0, coupling);
+    coupling.push_back({subproblem.from, resolution.end, robots, resolution.solver});
+    copy_clipped(entry.coupling, subproblem.to, std::numeric_limits<double>::infinity(),
+                 resolution.end - subproblem.to, coupling);
+    entry.coupling = std::move(coupling);
+    splice(entry, subproblem, task, resolution.paths[i], resolution.end);
+    ++entry.version;
+  }
+  return true;
+}
+
+void Schedule::splice(Entry& entry, const Subproblem& subproblem, const Task& task,
+                      const Trajectory& local, double end) const {
+  const Trajectory& old = entry.path;
+  Trajectory path(old.dof());
+  path.reserve(old.size() + local.size() + 2);
+  for (std::size_t i = 0; i < old.size() && old.time(i) < subproblem.from - kSameInstant; ++i) {
+    path.append(old.time(i), old.configuration(i));
+  }
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    append_if_later(path, local.time(i), local.configuration(i));
+  }
+  // The local path may reach the goal in other whole turns: the tail goes on in those.
+  const ConfigurationView reached = path.configuration(path.size() - 1);
+  Configuration turns(old.dof());
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const bool wraps = scene_->robot(task.robot).model->dofs[k].wraps;
+    turns[k] = wraps ? reached[k] - task.goal[k] : 0;
+  }
+  const double shift = end - subproblem.to;
+  const bool tail = old.end_time() > subproblem.to + kSameInstant;
+  if (tail) append_if_later(path, end, Configuration(reached.begin(), reached.end()));
+  Configuration moved(old.dof());
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old.time(i) <= subproblem.to + kSameInstant) continue;
+    for (std::size_t k = 0; k < moved.size(); ++k) moved[k] = old.configuration(i)[k] + turns[k];
+    append_if_later(path, old.time(i) + shift, moved);
+  }
+  entry.path = path.tidied();
+}
+
+}  // namespace accord

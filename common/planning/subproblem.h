@@ -1,0 +1,82 @@
+// The only unit of work: a local multi-robot problem around a conflict, or one robot's own path.
+// Pure values that can be sent anywhere: the same subproblem gives the same resolution wherever
+// and whenever it is solved. (Sections IV-A to IV-C of the ARC paper: E', R', Q')
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/model/ids.h"
+#include "common/model/trajectory.h"
+
+namespace accord {
+
+// A box in one robot's configuration space: E' of the paper, for that robot.
+struct Region {
+  Configuration lower;
+  Configuration upper;
+};
+
+// One robot of a subproblem.
+struct Task {
+  RobotId robot;
+  std::uint64_t version;  // of the robot's trajectory that this was computed from
+  Configuration start;    // at the window's start
+  Configuration goal;     // to be reached at its end, or later
+  Region region;          // holds start, goal and guide
+  Trajectory guide;       // the robot's present path inside the window
+};
+
+// A robot that is not part of the subproblem and keeps to its present path.
+struct Outsider {
+  RobotId robot;
+  std::uint64_t version;
+  Trajectory path;
+};
+
+// What bounds a solution attempt. Counts, never time: budgets must not depend on the machine.
+struct SolverLimits {
+  std::size_t query_expansions = 4000;      // states expanded by one safe-interval search
+  std::size_t priority_orders = 6;          // orders tried by prioritized planning
+  std::size_t decoupled_samples = 96;       // free samples a robot adds at most
+  std::size_t composite_nodes = 400;        // nodes of one composite roadmap at most
+  std::size_t composite_window_per_dof = 12;  // W of the adaptive termination, per dof
+};
+
+struct Subproblem {
+  std::uint64_t seed = 0;
+  double from = 0;      // s: all robots are at their starts
+  double to = 0;        // s: when the present paths reach the goals
+  double latest = 0;    // s: all robots must have arrived by then; outsiders are known until then
+  bool whole = false;   // E' = E and Q' = Q: the last solver goes on to its own limit
+  std::vector<Task> tasks;          // in the order of robot ids
+  std::vector<Outsider> outsiders;  // in the order of robot ids
+  SolverLimits limits;
+};
+
+// What solving it cost. The same for the same subproblem.
+struct Effort {
+  std::uint64_t searches = 0;
+  std::uint64_t expansions = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t motion_checks = 0;
+
+  Effort& operator+=(const Effort& other) {
+    searches += other.searches;
+    expansions += other.expansions;
+    samples += other.samples;
+    motion_checks += other.motion_checks;
+    return *this;
+  }
+};
+
+struct Resolution {
+  bool solved = false;            // else: exhausted
+  std::string solver;             // which one found it
+  double end = 0;                 // s: when all robots have arrived and leave together
+  std::vector<Trajectory> paths;  // one a task; from `from` to at most `end`
+  Effort effort;
+};
+
+}  // namespace accord

@@ -1,0 +1,233 @@
+#include "coordinator/arc.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <set>
+
+#include "common/planning/conflict.h"
+
+namespace accord {
+namespace {
+
+// Doublings of the window between one taking in of robots and the next.
+constexpr unsigned kWindowsPerTeam = 3;
+// A team that cannot make it at its whole query grows by this many robots at a time.
+constexpr std::size_t kTakenInAtOnce = 2;
+// Commits a robot may be part of on average before the search is called off: rounds then only push
+// the same conflicts ahead of themselves.
+constexpr std::uint64_t kCommitsPerRobot = 400;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+Arc::Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
+         Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress)
+    : planning_(planning), detection_(detection), workforce_(workforce), stop_(stop),
+      progress_(std::move(progress)), factory_(planning, seed),
+      schedule_(std::make_shared<const Scene>(planning.scene())) {}
+
+ArcOutcome Arc::run() {
+  const auto begin = std::chrono::steady_clock::now();
+  if (auto failed = plan_initial_paths()) return *failed;
+  statistics_.initial_time = seconds_since(begin);
+  const auto conflicts_begin = std::chrono::steady_clock::now();
+  ConflictBoard board(detection_, schedule_);
+  statistics_.conflicts_found = board.conflicts().size();
+  const std::uint64_t most_commits = kCommitsPerRobot * (schedule_.size() + 10);
+  while (!board.empty()) {
+    if (stop_) return stopped();
+    report(Progress::Phase::kConflicts);
+    std::vector<Job> jobs = choose(board);
+    ++statistics_.rounds;
+    solve(jobs);
+    if (stop_) return stopped();
+    for (const Job& job : jobs) {
+      record(job);
+      if (job.resolution.solved) {
+        schedule_.commit(job.subproblem, job.resolution);
+        growth_.erase({job.conflict.first, job.conflict.second});
+        std::vector<RobotId> changed;
+        for (const Task& task : job.subproblem.tasks) changed.push_back(task.robot);
+        const std::size_t before = board.size();
+        board.update(changed, job.subproblem.from);
+        statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
+        ++statistics_.conflicts_resolved;
+      } else if (!adapt(job)) {
+        return infeasible(job);
+      }
+    }
+    if (statistics_.conflicts_resolved > most_commits) return infeasible(jobs.front());
+  }
+  statistics_.pair_checks = board.pair_checks();
+  statistics_.conflict_time = seconds_since(conflicts_begin);
+  return {PlanStatus::kSolved, ""};
+}
+
+std::optional<ArcOutcome> Arc::plan_initial_paths() {
+  const std::size_t robots = schedule_.size();
+  std::vector<Resolution> found(robots);
+  // In slices, so that progress can be told and a stop is heard.
+  constexpr std::size_t kSlice = 64;
+  for (std::size_t first = 0; first < robots; first += kSlice) {
+    report(Progress::Phase::kInitialPaths);
+    const std::size_t count = std::min(kSlice, robots - first);
+    std::vector<Subproblem> own;
+    for (std::size_t i = 0; i < count; ++i) {
+      own.push_back(factory_.create_initial({static_cast<std::uint32_t>(first + i)}));
+    }
+    std::ranges::move(workforce_.solve(own, stop_), found.begin() + static_cast<std::ptrdiff_t>(first));
+    if (stop_) return stopped();
+    robots_planned_ = first + count;
+  }
+  for (std::uint32_t id = 0; id < robots; ++id) {
+    statistics_.effort += found[id].effort;
+    if (!found[id].solved) {
+      const Robot& robot = planning_.scene().robot({id});
+      return ArcOutcome{PlanStatus::kInfeasible,
+                        "no way from start to goal was found for robot \"" + robot.name +
+                            "\" on its own, on the largest roadmap of its configuration space"};
+    }
+    statistics_.lower_bound += found[id].end;
+    schedule_.set_initial({id}, std::move(found[id].paths[0]), std::move(found[id].solver));
+  }
+  return std::nullopt;
+}
+
+// The earliest conflicts first; each robot's own earliest only; none whose robots another chosen
+// one has to avoid, or the other way round.
+std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
+  std::vector<Job> jobs;
+  std::set<RobotId> used;    // members and outsiders of chosen ones
+  std::set<RobotId> members; // of chosen ones
+  std::set<RobotId> waiting; // robots with an earlier conflict that was not chosen
+  for (const Conflict& conflict : board.conflicts()) {
+    const bool behind = waiting.contains(conflict.first) || waiting.contains(conflict.second) ||
+                        used.contains(conflict.first) || used.contains(conflict.second);
+    waiting.insert({conflict.first, conflict.second});
+    if (behind) continue;
+    const auto growth = growth_.find({conflict.first, conflict.second});
+    Job job{conflict,
+            factory_.create(conflict, growth == growth_.end() ? Growth{} : growth->second,
+                            schedule_, board),
+            {},
+            {}};
+    const auto clashes = [&](const auto& entry) { return used.contains(entry.robot); };
+    const auto is_member = [&](const auto& entry) { return members.contains(entry.robot); };
+    if (std::ranges::any_of(job.subproblem.tasks, clashes) ||
+        std::ranges::any_of(job.subproblem.outsiders, is_member)) {
+      continue;
+    }
+    for (const Task& task : job.subproblem.tasks) {
+      used.insert(task.robot);
+      members.insert(task.robot);
+    }
+    for (const Outsider& outsider : job.subproblem.outsiders) used.insert(outsider.robot);
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+void Arc::solve(std::vector<Job>& jobs) {
+  std::vector<Subproblem> subproblems;
+  for (const Job& job : jobs) subproblems.push_back(job.subproblem);
+  std::vector<Resolution> resolutions = workforce_.solve(subproblems, stop_);
+  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].resolution = std::move(resolutions[i]);
+  find_robots_in_the_way(jobs);
+}
+
+// What keeps a team from its goals: the outsiders that a solution without outsiders would run into.
+void Arc::find_robots_in_the_way(std::vector<Job>& jobs) {
+  std::vector<Subproblem> without;
+  std::vector<Job*> failed;
+  for (Job& job : jobs) {
+    if (job.resolution.solved || job.subproblem.outsiders.empty()) continue;
+    without.push_back(job.subproblem);
+    without.back().outsiders.clear();
+    failed.push_back(&job);
+  }
+  if (failed.empty() || stop_) return;
+  const std::vector<Resolution> resolutions = workforce_.solve(without, stop_);
+  for (std::size_t i = 0; i < failed.size(); ++i) {
+    failed[i]->resolution.effort += resolutions[i].effort;
+    if (resolutions[i].solved) failed[i]->in_the_way = hit_by(*failed[i], resolutions[i]);
+  }
+}
+
+// The outsiders that a job's resolution runs into, earliest first.
+std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) const {
+  std::vector<std::pair<double, RobotId>> hits;
+  const std::vector<Task>& tasks = job.subproblem.tasks;
+  for (const Outsider& outsider : job.subproblem.outsiders) {
+    double first = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const auto hit = earliest_contact(planning_, tasks[i].robot, resolution.paths[i],
+                                        outsider.robot, outsider.path, job.subproblem.from,
+                                        std::min(first, resolution.end));
+      if (hit) first = std::min(first, *hit);
+    }
+    if (first < std::numeric_limits<double>::infinity()) hits.emplace_back(first, outsider.robot);
+  }
+  std::ranges::sort(hits);
+  std::vector<RobotId> robots;
+  for (const auto& [time, robot] : hits) robots.push_back(robot);
+  return robots;
+}
+
+// False when nothing is left to grow.
+bool Arc::adapt(const Job& job) {
+  Growth& growth = growth_[{job.conflict.first, job.conflict.second}];
+  ++growth.attempts;
+  const bool can_take_in = !job.in_the_way.empty() || (job.subproblem.whole &&
+                                                       !job.subproblem.outsiders.empty());
+  if (can_take_in && (job.subproblem.whole || growth.attempts % kWindowsPerTeam == 0)) {
+    std::vector<RobotId> candidates = job.in_the_way;
+    for (const Outsider& outsider : job.subproblem.outsiders) candidates.push_back(outsider.robot);
+    std::size_t taken = 0;
+    for (const RobotId robot : candidates) {
+      if (taken == kTakenInAtOnce) break;
+      if (growth.taken_in.insert(robot).second) ++taken;
+    }
+    statistics_.robots_taken_in += taken;
+    growth.window = growth.window > 1 ? growth.window - 1 : growth.window;
+    return true;
+  }
+  if (job.subproblem.whole) return false;
+  ++growth.window;
+  ++statistics_.windows_grown;
+  return true;
+}
+
+void Arc::record(const Job& job) {
+  ++statistics_.subproblems;
+  statistics_.effort += job.resolution.effort;
+  if (job.resolution.solved) {
+    ++statistics_.solved_by[job.resolution.solver];
+  } else {
+    ++statistics_.exhausted;
+  }
+}
+
+void Arc::report(Progress::Phase phase) {
+  if (!progress_) return;
+  progress_({phase, robots_planned_, statistics_.conflicts_found, statistics_.conflicts_resolved,
+             statistics_.rounds});
+}
+
+ArcOutcome Arc::stopped() const { return {PlanStatus::kCancelled, "stopped"}; }
+
+ArcOutcome Arc::infeasible(const Job& job) const {
+  std::string robots;
+  for (const Task& task : job.subproblem.tasks) {
+    if (!robots.empty()) robots += ", ";
+    robots += "\"" + planning_.scene().robot(task.robot).name + "\"";
+  }
+  return {PlanStatus::kInfeasible,
+          "the conflict of robots " + robots + " at " + std::to_string(job.conflict.time) +
+              " s could not be resolved, even planned together from start to goal"};
+}
+
+}  // namespace accord

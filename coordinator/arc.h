@@ -1,0 +1,95 @@
+// Adaptive Robot Coordination (Solis, Motes, Qin, Morales, Amato 2023), Algorithms 1 and 2: plans
+// each robot alone, finds the conflicts between the paths, and solves a small local problem around
+// each with as much coupling as it needs.
+//
+// Rounds: all subproblems of a round share no robots and are not near each other in time and space,
+// so that they can be solved in any order, or at the same time, and committed in the order of their
+// conflicts. A round's choice depends on the schedule alone; hence the plan does not depend on how
+// many workers there are.
+//
+// Progress: outsiders are moving obstacles of every subproblem, so that a commit makes no conflict
+// earlier than the one it resolves. When no way among them is found, the window doubles and then
+// the robots in the way are taken in, up to all robots, their whole queries and whole spaces.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/model/plan.h"
+#include "common/planning/schedule.h"
+#include "coordinator/conflict_board.h"
+#include "coordinator/progress.h"
+#include "coordinator/subproblem_factory.h"
+#include "coordinator/workforce.h"
+
+namespace accord {
+
+struct ArcStatistics {
+  std::uint64_t conflicts_found = 0;
+  std::uint64_t conflicts_resolved = 0;
+  std::uint64_t rounds = 0;
+  std::uint64_t subproblems = 0;
+  std::uint64_t exhausted = 0;
+  std::uint64_t windows_grown = 0;
+  std::uint64_t robots_taken_in = 0;
+  std::uint64_t pair_checks = 0;
+  std::map<std::string, std::uint64_t> solved_by;  // solver name -> subproblems
+  Effort effort;
+  double initial_time = 0;   // s, wall clock
+  double conflict_time = 0;  // s
+  double lower_bound = 0;    // s: sum of the robots' own paths' durations
+};
+
+struct ArcOutcome {
+  PlanStatus status;    // solved, infeasible or cancelled (stop became true)
+  std::string message;  // why not solved
+};
+
+class Arc {
+ public:
+  // Two worlds of the same scene: conflicts are looked for with a smaller margin than planning
+  // keeps, so that what planning avoids is not found to be a conflict again for rounding.
+  Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
+      Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress);
+
+  ArcOutcome run();
+  const Schedule& schedule() const { return schedule_; }
+  const ArcStatistics& statistics() const { return statistics_; }
+
+ private:
+  using Pair = std::pair<RobotId, RobotId>;
+  struct Job {
+    Conflict conflict;
+    Subproblem subproblem;
+    Resolution resolution;
+    std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
+  };
+
+  std::optional<ArcOutcome> plan_initial_paths();
+  std::vector<Job> choose(const ConflictBoard& board) const;
+  void solve(std::vector<Job>& jobs);
+  void find_robots_in_the_way(std::vector<Job>& jobs);
+  std::vector<RobotId> hit_by(const Job& job, const Resolution& resolution) const;
+  bool adapt(const Job& job);
+  void record(const Job& job);
+  void report(Progress::Phase phase);
+  ArcOutcome stopped() const;
+  ArcOutcome infeasible(const Job& job) const;
+
+  const CollisionWorld& planning_;
+  const CollisionWorld& detection_;
+  Workforce& workforce_;
+  const std::atomic<bool>& stop_;
+  ProgressCallback progress_;
+  SubproblemFactory factory_;
+  Schedule schedule_;
+  std::map<Pair, Growth> growth_;
+  ArcStatistics statistics_;
+  std::size_t robots_planned_ = 0;
+};
+
+}  // namespace accord

@@ -1,0 +1,53 @@
+// Broad phase in space and time: which robots could meet, and when. Time is cut into slabs; in each
+// slab a robot is the box that holds all it sweeps, filed under the cells that the box covers. What
+// a robot's change costs grows with its own path, not with the number of robots.
+// Not thread safe.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/model/trajectory.h"
+
+namespace accord {
+
+class SpaceTimeGrid {
+ public:
+  // slab (s) and cell (m) are tuning: answers do not depend on them.
+  SpaceTimeGrid(const CollisionWorld& world, double slab, double cell);
+
+  // Files a robot's path anew from time `from` (s) on; before, it must be as filed. Robots park at
+  // their ends. Paths that reach past the last slab lengthen the grid for all.
+  void place(RobotId robot, const Trajectory& path, double from);
+
+  std::size_t slabs() const { return slabs_; }
+  double slab_start(std::size_t slab) const { return static_cast<double>(slab) * slab_; }
+  std::size_t slab_of(double t) const;
+
+  // The other robots whose boxes come within the required separation of this robot's in a slab,
+  // ascending.
+  void neighbours(RobotId robot, std::size_t slab, std::vector<RobotId>& out) const;
+
+  // The robots whose boxes meet `box` in any slab of [from, until] (s), ascending.
+  void within(const Aabb& box, double from, double until, std::vector<RobotId>& out) const;
+
+ private:
+  using Key = std::uint64_t;
+
+  void extend_to(std::size_t slabs);
+  void file(RobotId robot, std::size_t slab, const Aabb& box);
+  void remove(RobotId robot, std::size_t slab);
+  template <class Visit>
+  void for_each_cell(const Aabb& box, std::size_t slab, const Visit& visit) const;
+
+  const CollisionWorld& world_;
+  double slab_;
+  double cell_;
+  std::size_t slabs_ = 0;
+  std::vector<std::vector<Aabb>> boxes_;  // by robot, then slab; inflated by half the separation
+  std::unordered_map<Key, std::vector<RobotId>> cells_;
+};
+
+}  // namespace accord

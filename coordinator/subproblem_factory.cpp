@@ -1,0 +1,198 @@
+#include "coordinator/subproblem_factory.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "common/planning/random.h"
+#include "common/planning/region.h"
+
+namespace accord {
+namespace {
+
+// Half of the first window, in robots' own times: room to step aside and come back.
+constexpr double kWindow = 3.0;
+// What an arm's joint moves in its "own time".
+constexpr double kArmOwnMotion = 0.5;  // rad or m
+// The first region reaches this many body sizes beyond the guide.
+constexpr double kRegionMargin = 2.0;
+constexpr double kArmRegionMargin = 0.6;  // rad or m
+// Robots may leave the window later than planned by this many windows.
+constexpr double kPatience = 3.0;
+// Cutting closer to a waypoint than this would leave a sliver of a motion.
+constexpr double kSliver = 1e-5;  // s
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// t, or a little later: where every given path has a waypoint exactly there or none nearby.
+double away_from_slivers(double t, const std::vector<RobotId>& robots, const Schedule& schedule) {
+  for (int tries = 0; tries < 64; ++tries) {
+    const bool clear = std::ranges::all_of(robots, [&](RobotId robot) {
+      const auto& times = schedule.path(robot).times();
+      const auto near = std::ranges::lower_bound(times, t - kSliver);
+      return near == times.end() || *near > t + kSliver || *near == t;
+    });
+    if (clear) break;
+    t += 2.5 * kSliver;
+  }
+  return t;
+}
+
+}  // namespace
+
+double SubproblemFactory::body_size(RobotId id) const {
+  if (const auto radius = world_.radius(id)) return 2 * *radius;
+  const Robot& robot = world_.scene().robot(id);
+  const Aabb box = world_.swept_bounds(id, robot.start, robot.start);
+  return (box.max - box.min).norm();
+}
+
+double SubproblemFactory::own_time(RobotId id) const {
+  const RobotModel& model = *world_.scene().robot(id).model;
+  if (model.translations() > 0) return body_size(id) / model.speed;
+  double longest = 0;
+  for (const DegreeOfFreedom& dof : model.dofs) {
+    longest = std::max(longest, kArmOwnMotion / dof.velocity);
+  }
+  return longest;
+}
+
+Subproblem SubproblemFactory::create_initial(RobotId id) const {
+  const Robot& robot = world_.scene().robot(id);
+  Subproblem out;
+  out.seed = combine({seed_, id.value});
+  out.latest = kInfinity;
+  out.whole = true;
+  out.tasks.push_back({id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}});
+  return out;
+}
+
+Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& growth,
+                                     const Schedule& schedule, const ConflictBoard& board) const {
+  std::set<RobotId> members = growth.taken_in;
+  members.insert({conflict.first, conflict.second});
+  const std::vector<RobotId> robots(members.begin(), members.end());
+  Subproblem out;
+  set_window(conflict, growth, schedule, robots, out);
+  for (const RobotId robot : robots) {
+    out.tasks.push_back(make_task(robot, growth, schedule, out));
+  }
+  out.seed = combine({seed_, conflict.first.value, conflict.second.value,
+                      std::bit_cast<std::uint64_t>(conflict.time), growth.attempts});
+  add_outsiders(schedule, board, out);
+  return out;
+}
+
+void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growth,
+                                   const Schedule& schedule, const std::vector<RobotId>& robots,
+                                   Subproblem& out) const {
+  double unit = 0, end = 0;
+  for (const RobotId robot : robots) {
+    unit = std::max(unit, own_time(robot));
+    end = std::max(end, schedule.path(robot).end_time());
+  }
+  const double half = kWindow * unit * std::ldexp(1.0, static_cast<int>(growth.window));
+  end = std::max(end, conflict.time + 0.1 * unit);
+  out.from = conflict.time - half;
+  out.from = out.from <= 0 ? 0 : away_from_slivers(out.from, robots, schedule);
+  if (out.from >= conflict.time) out.from = 0;
+  out.to = std::min(conflict.time + half, end);
+  // The end moves on past configurations that are themselves in conflict.
+  const auto clear_at = [&](double t) {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      for (std::size_t j = i + 1; j < robots.size(); ++j) {
+        if (!world_.are_clear(robots[i], schedule.path(robots[i]).at(t), robots[j],
+                              schedule.path(robots[j]).at(t))) {
+          return false;
+        }
+      }
+    }
+    return true;
+  };
+  while (out.to < end && !clear_at(out.to)) out.to = std::min(out.to + 0.5 * unit, end);
+  if (out.to < end) out.to = away_from_slivers(out.to, robots, schedule);
+  out.latest = out.to + kPatience * (out.to - out.from) + 2 * half;
+  out.whole = out.from == 0 && out.to >= end;
+}
+
+Task SubproblemFactory::make_task(RobotId robot, const Growth& growth, const Schedule& schedule,
+                                  const Subproblem& window) const {
+  const Trajectory& path = schedule.path(robot);
+  Task task;
+  task.robot = robot;
+  task.version = schedule.version(robot);
+  task.start = path.at(window.from);
+  task.goal = path.at(window.to);
+  task.guide = Trajectory(path.dof());
+  task.guide.append(window.from, task.start);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.time(i) > window.from && path.time(i) < window.to) {
+      task.guide.append(path.time(i), path.configuration(i));
+    }
+  }
+  if (window.to > window.from) task.guide.append(window.to, task.goal);
+  task.region = window.whole ? whole_region(world_.scene(), robot)
+                             : region(robot, task.guide, growth.window);
+  return task;
+}
+
+Region SubproblemFactory::region(RobotId id, const Trajectory& guide, unsigned doublings) const {
+  const RobotModel& model = *world_.scene().robot(id).model;
+  const Region whole = whole_region(world_.scene(), id);
+  const double scale = std::ldexp(1.0, static_cast<int>(doublings));
+  Region out{guide.at(guide.start_time()), guide.at(guide.start_time())};
+  for (std::size_t k = 0; k < model.dof(); ++k) {
+    for (std::size_t i = 0; i < guide.size(); ++i) {
+      out.lower[k] = std::min(out.lower[k], guide.configuration(i)[k]);
+      out.upper[k] = std::max(out.upper[k], guide.configuration(i)[k]);
+    }
+    const bool translation = k < model.translations();
+    const double margin =
+        scale * (translation ? kRegionMargin * body_size(id) : kArmRegionMargin);
+    out.lower[k] -= margin;
+    out.upper[k] += margin;
+    if (model.dofs[k].wraps) continue;
+    out.lower[k] = std::max(out.lower[k], whole.lower[k]);
+    out.upper[k] = std::min(out.upper[k], whole.upper[k]);
+  }
+  return out;
+}
+
+Aabb SubproblemFactory::workspace(RobotId id, const Region& region) const {
+  const Robot& robot = world_.scene().robot(id);
+  Aabb box{Vec3::Zero(), Vec3::Zero()};
+  if (robot.model->translations() > 0) {
+    for (std::size_t k = 0; k < robot.model->translations(); ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      box.min[axis] = region.lower[k];
+      box.max[axis] = region.upper[k];
+    }
+    const Vec3 room = Vec3::Constant(0.5 * body_size(id));
+    return {box.min - room, box.max + room};
+  }
+  double reach = 0;
+  for (const double r : world_.reach(id)) reach = std::max(reach, r);
+  for (const Joint& joint : robot.model->joints) {
+    if (joint.parent == 0) reach += joint.origin.translation().norm();
+  }
+  const Vec3 base = robot.base.translation();
+  box = world_.swept_bounds(id, robot.start, robot.start);
+  box.merge({base - Vec3::Constant(reach), base + Vec3::Constant(reach)});
+  return box;
+}
+
+void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBoard& board,
+                                      Subproblem& out) const {
+  std::set<RobotId> near;
+  std::vector<RobotId> found;
+  for (const Task& task : out.tasks) {
+    board.grid().within(workspace(task.robot, task.region), out.from, out.latest, found);
+    near.insert(found.begin(), found.end());
+  }
+  for (const Task& task : out.tasks) near.erase(task.robot);
+  for (const RobotId robot : near) {
+    out.outsiders.push_back({robot, schedule.version(robot), schedule.path(robot)});
+  }
+}
+
+}  // namespace accord

@@ -1,0 +1,55 @@
+// CreateSubProblem and AdaptSubProblem of the ARC paper: cuts a local problem out of the schedule
+// around a conflict, and makes it larger when it could not be solved.
+// Pure but for what it reads; not thread safe.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/planning/conflict.h"
+#include "common/planning/schedule.h"
+#include "common/planning/subproblem.h"
+#include "coordinator/conflict_board.h"
+
+namespace accord {
+
+// How far a conflict's subproblem has been grown. (Alg. 2, line 11: AdaptSubProblem)
+struct Growth {
+  unsigned window = 0;          // doublings of the time window and of the region's margin
+  std::set<RobotId> taken_in;   // robots beyond the conflicting pair
+  unsigned attempts = 0;        // all in all
+};
+
+class SubproblemFactory {
+ public:
+  SubproblemFactory(const CollisionWorld& world, std::uint64_t seed)
+      : world_(world), seed_(seed) {}
+
+  // A robot's own path, from its start at time 0 to its goal: (E, {r}, {q}). (Alg. 1, line 3)
+  Subproblem create_initial(RobotId robot) const;
+
+  // The subproblem of a conflict at a stage of growth. All robots not in it that come near are its
+  // outsiders. Requires: no pair of its robots is in conflict before conflict.time.
+  Subproblem create(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
+                    const ConflictBoard& board) const;
+
+  // Time (s) in which a robot moves by about its own size: the unit of windows.
+  double own_time(RobotId robot) const;
+
+ private:
+  void set_window(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
+                  const std::vector<RobotId>& robots, Subproblem& out) const;
+  Task make_task(RobotId robot, const Growth& growth, const Schedule& schedule,
+                 const Subproblem& window) const;
+  void add_outsiders(const Schedule& schedule, const ConflictBoard& board, Subproblem& out) const;
+  Region region(RobotId robot, const Trajectory& guide, unsigned doublings) const;
+  Aabb workspace(RobotId robot, const Region& region) const;
+  double body_size(RobotId robot) const;
+
+  const CollisionWorld& world_;
+  std::uint64_t seed_;
+};
+
+}  // namespace accord

@@ -1,0 +1,178 @@
+#include "worker/composite_prm.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "common/planning/random.h"
+#include "common/planning/region.h"
+#include "worker/decoupled_roadmaps.h"
+#include "worker/local_roadmap.h"
+#include "worker/path_shortening.h"
+#include "worker/roadmap_evolution.h"
+#include "worker/safe_interval_search.h"
+#include "worker/uncoupling.h"
+
+namespace accord {
+namespace {
+
+constexpr LocalRoadmap::Node kStart = 0;
+constexpr LocalRoadmap::Node kGoal = 1;
+constexpr std::size_t kNeighbours = 12;
+// Of each robot's part of a sample, so many in ten come from its own roadmap's places (start, goal,
+// guide), which hold still while others pass; the rest from the region.
+constexpr std::size_t kFromRoadmapInTen = 4;
+constexpr std::size_t kTriesPerNode = 20;
+// At E' = E and Q' = Q the search goes on to so many times the nodes, productive or not.
+constexpr std::size_t kWholeFactor = 20;
+
+class CompositeRoadmap {
+ public:
+  CompositeRoadmap(const CollisionWorld& world, const Subproblem& subproblem)
+      : subproblem_(subproblem), team_(world, members(subproblem), subproblem.from,
+                                       subproblem.latest),
+        places_(world, subproblem), roadmap_(team_),
+        evolution_(subproblem.limits.composite_window_per_dof * team_.dof()),
+        random_(combine({subproblem.seed, 0x636f6d70})) {
+    for (const Outsider& outsider : subproblem.outsiders) {
+      team_.avoid(outsider.robot, outsider.path);
+    }
+  }
+
+  Resolution solve(const CollisionWorld& world, const std::atomic<bool>& stop) {
+    Resolution resolution;
+    if (add_ends()) grow(resolution, stop);
+    resolution.effort.samples = roadmap_.size();
+    resolution.effort.motion_checks += motion_checks_ + roadmap_.motion_checks();
+    if (resolution.solved) uncouple(world, subproblem_, resolution);
+    return resolution;
+  }
+
+ private:
+  static std::vector<RobotId> members(const Subproblem& subproblem) {
+    std::vector<RobotId> robots;
+    for (const Task& task : subproblem.tasks) robots.push_back(task.robot);
+    return robots;
+  }
+
+  bool add_ends() {
+    Configuration start, goal;
+    for (const Task& task : subproblem_.tasks) {
+      start.insert(start.end(), task.start.begin(), task.start.end());
+      goal.insert(goal.end(), task.goal.begin(), task.goal.end());
+    }
+    if (!team_.is_free(start) || !team_.is_free(goal)) return false;
+    insert(start);
+    insert(goal);
+    return true;
+  }
+
+  void grow(Resolution& resolution, const std::atomic<bool>& stop) {
+    const std::size_t limit =
+        subproblem_.limits.composite_nodes * (subproblem_.whole ? kWholeFactor : 1);
+    std::size_t search_at = 0;
+    Configuration q(team_.dof());
+    while (!stop) {
+      if (evolution_.connected(kStart, kGoal) && roadmap_.size() >= search_at) {
+        if (search(resolution)) return;
+        search_at = roadmap_.size() + roadmap_.size() / 4 + 8;
+      }
+      if (roadmap_.size() >= limit || (!subproblem_.whole && evolution_.has_settled())) return;
+      if (!sample(q)) return;
+      insert(q);
+    }
+  }
+
+  bool search(Resolution& resolution) {
+    const SearchRequest request{kStart, kGoal, subproblem_.from, subproblem_.from,
+                                subproblem_.latest, subproblem_.limits.query_expansions};
+    ++resolution.effort.searches;
+    auto found = safe_interval_search(team_, roadmap_, request, resolution.effort.expansions);
+    if (!found) return false;
+    shorten(team_, request, *found, resolution.effort);
+    resolution.solved = true;
+    resolution.end = found->path.end_time();
+    resolution.paths.clear();
+    for (std::size_t i = 0; i < team_.size(); ++i) resolution.paths.push_back(part(found->path, i));
+    return true;
+  }
+
+  Trajectory part(const Trajectory& path, std::size_t member) const {
+    Trajectory out(subproblem_.tasks[member].start.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      out.append(path.time(i), team_.part(path.configuration(i), member));
+    }
+    return out;
+  }
+
+  // A free composite configuration.
+  bool sample(Configuration& q) {
+    for (std::size_t tries = 0; tries < kTriesPerNode * subproblem_.limits.composite_nodes;
+         ++tries) {
+      std::size_t offset = 0;
+      for (std::size_t i = 0; i < team_.size(); ++i) {
+        const Task& task = subproblem_.tasks[i];
+        const std::span<double> mine(q.data() + offset, task.start.size());
+        offset += task.start.size();
+        if (random_.below(10) < kFromRoadmapInTen) {
+          const auto node = static_cast<LocalRoadmap::Node>(random_.below(places_.of(i).size()));
+          std::ranges::copy(places_.of(i).configuration(node), mine.begin());
+        } else {
+          sample_region(task.region, next_sample_, combine({subproblem_.seed, i, 0x73}), mine);
+        }
+      }
+      ++next_sample_;
+      if (team_.is_free(q)) return true;
+    }
+    return false;
+  }
+
+  // Adds a node and proves motions to its neighbours in other components, nearest first; within its
+  // own component edges are laid unproved, for the search to prove where it needs them.
+  void insert(ConfigurationView q) {
+    const LocalRoadmap::Node node = roadmap_.add(team_, q, false);
+    evolution_.add(q);
+    roadmap_.nearest(team_, q, kNeighbours, node, neighbours_);
+    std::size_t joined = 0;
+    bool any_failed = false, grew = false;
+    target_.resize(team_.dof());
+    for (const LocalRoadmap::Node neighbour : neighbours_) {
+      const bool other_component = !evolution_.connected(node, neighbour);
+      if (other_component) {
+        ++motion_checks_;
+        team_.nearest_representation(q, roadmap_.configuration(neighbour), target_);
+        if (!team_.motion_is_free(q, target_)) {
+          any_failed = true;
+          continue;
+        }
+        const double before = evolution_.diameter(neighbour);
+        evolution_.join(node, neighbour);
+        grew = grew || evolution_.diameter(node) > before;
+        ++joined;
+      }
+      roadmap_.connect(team_, node, neighbour, other_component);
+    }
+    evolution_.classify(joined, any_failed, grew);
+  }
+
+  const Subproblem& subproblem_;
+  Team team_;
+  DecoupledRoadmaps places_;
+  LocalRoadmap roadmap_;
+  RoadmapEvolution evolution_;
+  RandomStream random_;
+  std::uint64_t next_sample_ = 0;
+  std::uint64_t motion_checks_ = 0;
+  std::vector<LocalRoadmap::Node> neighbours_;  // scratch
+  Configuration target_;                        // scratch
+};
+
+}  // namespace
+
+Resolution CompositePrm::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+                                  const std::atomic<bool>& stop) const {
+  Resolution resolution = CompositeRoadmap(world, subproblem).solve(world, stop);
+  resolution.solver = kName;
+  return resolution;
+}
+
+}  // namespace accord

@@ -1,0 +1,31 @@
+#include "worker/decoupled_prm.h"
+
+#include "worker/decoupled_roadmaps.h"
+#include "worker/prioritized_search.h"
+
+namespace accord {
+
+Resolution DecoupledPrm::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+                                  const std::atomic<bool>& stop) const {
+  DecoupledRoadmaps roadmaps(world, subproblem);
+  Effort effort;
+  // Batches grow: most conflicts need a handful of places to step aside to.
+  std::size_t batch = (subproblem.limits.decoupled_samples + 5) / 6;
+  for (std::size_t added = 0; added < subproblem.limits.decoupled_samples && !stop;) {
+    roadmaps.add_samples(world, batch);
+    added += batch;
+    batch *= 2;
+    Resolution resolution = prioritized_search(world, subproblem, roadmaps, stop);
+    effort += resolution.effort;
+    resolution.effort = effort;
+    resolution.effort.samples = roadmaps.samples();
+    resolution.solver = kName;
+    if (resolution.solved) return resolution;
+  }
+  Resolution exhausted;
+  exhausted.effort = effort;
+  exhausted.effort.samples = roadmaps.samples();
+  return exhausted;
+}
+
+}  // namespace accord

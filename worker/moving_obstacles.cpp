@@ -1,0 +1,234 @@
+#include "worker/moving_obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/geometry/point_motion.h"
+
+namespace accord {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Intervals shorter than this are of no use and only cost time.
+constexpr double kShortestInterval = 1e-6;  // s
+
+Vec3 to_point(ConfigurationView q) {
+  return {q[0], q[1], q.size() > 2 ? q[2] : 0.0};
+}
+
+void interpolate(ConfigurationView a, ConfigurationView b, double s, Configuration& out) {
+  out.resize(a.size());
+  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + s * (b[k] - a[k]);
+}
+
+// The complement of `unsafe` in [from, latest]. Sorts its input.
+void complement(std::vector<Interval>& unsafe, double from, double latest,
+                std::vector<Interval>& out) {
+  out.clear();
+  std::ranges::sort(unsafe, {}, &Interval::lo);
+  double safe_from = from;
+  for (const Interval& interval : unsafe) {
+    if (interval.lo > safe_from + kShortestInterval) out.push_back({safe_from, interval.lo});
+    safe_from = std::max(safe_from, interval.hi);
+  }
+  if (safe_from <= latest && safe_from < kInfinity) out.push_back({safe_from, latest});
+}
+
+}  // namespace
+
+MovingObstacles::MovingObstacles(const CollisionWorld& world, RobotId robot, double from,
+                                 double latest)
+    : world_(world), robot_(robot), from_(from), latest_(latest) {}
+
+void MovingObstacles::add(RobotId other, const Trajectory& path) {
+  const auto mine = world_.radius(robot_), theirs = world_.radius(other);
+  if (mine && theirs) {
+    add_points(other, path, *mine + *theirs + world_.required_separation());
+    return;
+  }
+  const Vec3 room = Vec3::Constant(world_.required_separation());
+  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) <= latest_; ++i) {
+    const bool last = i + 1 == path.size();
+    const ConfigurationView from = path.configuration(i);
+    const ConfigurationView to = last ? from : path.configuration(i + 1);
+    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), {}, {}, {}};
+    if (i == 0) piece.t0 = std::min(piece.t0, from_);
+    piece.from.assign(from.begin(), from.end());
+    piece.to.assign(to.begin(), to.end());
+    piece.bounds = world_.swept_bounds(other, from, to);
+    piece.bounds.min -= room;
+    piece.bounds.max += room;
+    pieces_.push_back(std::move(piece));
+  }
+}
+
+void MovingObstacles::add_points(RobotId /*other*/, const Trajectory& path, double distance) {
+  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) <= latest_; ++i) {
+    const bool last = i + 1 == path.size();
+    PointPiece piece{path.time(i),       kInfinity, to_point(path.configuration(i)),
+                     Vec3::Zero(), distance,  distance * distance};
+    if (!last) {
+      piece.t1 = path.time(i + 1);
+      piece.velocity =
+          (to_point(path.configuration(i + 1)) - piece.position) / (piece.t1 - piece.t0);
+    }
+    points_.push_back(piece);
+  }
+}
+
+void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
+  unsafe_.clear();
+  if (!points_.empty()) point_unsafe(q, unsafe_);
+  if (!pieces_.empty()) piece_unsafe(q, unsafe_);
+  complement(unsafe_, from_, latest_, out);
+}
+
+// |p + v s - q| < d for s in the roots of a quadratic.
+void MovingObstacles::point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const {
+  const Vec3 here = to_point(q);
+  for (const PointPiece& piece : points_) {
+    const Vec3 offset = piece.position - here;
+    const double c = offset.squaredNorm() - piece.squared;
+    const double a = piece.velocity.squaredNorm();
+    if (a == 0) {
+      if (c < 0) unsafe.push_back({piece.t0, piece.t1});
+      continue;
+    }
+    const double b = offset.dot(piece.velocity);
+    const double discriminant = b * b - a * c;
+    if (discriminant <= 0) continue;
+    const double root = std::sqrt(discriminant);
+    const double lo = std::max(piece.t0, piece.t0 + (-b - root) / a);
+    const double hi = std::min(piece.t1, piece.t0 + (-b + root) / a);
+    if (lo < hi) unsafe.push_back({lo, hi});
+  }
+}
+
+void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) {
+  const Aabb here = world_.swept_bounds(robot_, q, q);
+  const double probe = world_.scene().timestep;
+  for (const Piece& piece : pieces_) {
+    if (!piece.bounds.overlaps(here)) continue;
+    if (std::isinf(piece.t1)) {
+      if (!world_.are_clear(robot_, q, piece.robot, piece.from)) {
+        unsafe.push_back({piece.t0, kInfinity});
+      }
+      continue;
+    }
+    double t = std::max(piece.t0, from_);
+    const double end = std::min(piece.t1, latest_);
+    while (t < end) {
+      const auto touch = contact(piece, q, q, t, end);
+      if (!touch) break;
+      // Contact lasts until a probe at rest is clear again; what lies between probes is given up.
+      double clear = std::min(*touch + probe, end);
+      while (clear < end) {
+        const double s = (clear - piece.t0) / (piece.t1 - piece.t0);
+        interpolate(piece.from, piece.to, s, other_from_);
+        if (world_.are_clear(robot_, q, piece.robot, other_from_)) break;
+        clear = std::min(clear + probe, end);
+      }
+      unsafe.push_back({*touch, clear});
+      t = clear;
+    }
+  }
+}
+
+std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
+                                               ConfigurationView b, double t0, double t1) {
+  const double lo = std::max(t0, piece.t0), hi = std::min(t1, piece.t1);
+  if (lo >= hi) return std::nullopt;
+  const double span = t1 - t0;
+  interpolate(a, b, (lo - t0) / span, mine_from_);
+  interpolate(a, b, (hi - t0) / span, mine_to_);
+  if (std::isinf(piece.t1)) {
+    other_from_ = other_to_ = piece.from;
+  } else {
+    const double length = piece.t1 - piece.t0;
+    interpolate(piece.from, piece.to, (lo - piece.t0) / length, other_from_);
+    interpolate(piece.from, piece.to, (hi - piece.t0) / length, other_to_);
+  }
+  return world_.first_contact(robot_, {mine_from_, mine_to_, lo, hi}, piece.robot,
+                              {other_from_, other_to_, lo, hi});
+}
+
+// For a departure t in conflict: the end of the unsafe departures around t with respect to the
+// first piece that it runs into; t itself when the motion is clear of all points. The squared
+// distance is convex in (time, departure) jointly, so the unsafe departures of one piece form an
+// interval, and its end is found by bisection.
+double MovingObstacles::point_next_departure(const Vec3& a, const Vec3& velocity, double duration,
+                                             double t) const {
+  const auto hits = [&](const PointPiece& piece, double departure) {
+    const double lo = std::max(departure, piece.t0);
+    const double hi = std::min(departure + duration, piece.t1);
+    if (lo >= hi) return false;
+    const Vec3 offset = piece.position + (lo - piece.t0) * piece.velocity - a -
+                        (lo - departure) * velocity;
+    return first_within(offset, (hi - lo) * (piece.velocity - velocity), piece.distance)
+        .has_value();
+  };
+  for (const PointPiece& piece : points_) {
+    if (!hits(piece, t)) continue;
+    double unsafe = t, safe = piece.t1;
+    if (std::isinf(safe)) {
+      // A parked robot: either the motion meets it whenever it starts, or only its beginning does
+      // while the piece before is still on; departures after t0 all look the same.
+      if (t >= piece.t0 || hits(piece, piece.t0)) return kInfinity;
+      safe = piece.t0;
+    }
+    constexpr double kBisection = 1e-6;  // s
+    while (safe - unsafe > kBisection) {
+      const double middle = 0.5 * (unsafe + safe);
+      (hits(piece, middle) ? unsafe : safe) = middle;
+    }
+    return safe;
+  }
+  return t;
+}
+
+bool MovingObstacles::pieces_clear(ConfigurationView a, ConfigurationView b, double t,
+                                   double duration) {
+  if (pieces_.empty()) return true;
+  const Aabb bounds = world_.swept_bounds(robot_, a, b);
+  for (const Piece& piece : pieces_) {
+    if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
+    if (contact(piece, a, b, t, t + duration)) return false;
+  }
+  return true;
+}
+
+bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, double t,
+                                      double duration) {
+  if (!points_.empty()) {
+    const Vec3 from = to_point(a);
+    const Vec3 velocity = (to_point(b) - from) / duration;
+    if (point_next_departure(from, velocity, duration, t) > t) return false;
+  }
+  return pieces_clear(a, b, t, duration);
+}
+
+std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, ConfigurationView b,
+                                                          double duration, double lo, double hi) {
+  double t = lo;
+  double step = world_.scene().timestep;
+  const bool points = !points_.empty();
+  const Vec3 from = points ? to_point(a) : Vec3(Vec3::Zero());
+  const Vec3 velocity = points ? Vec3((to_point(b) - from) / duration) : Vec3(Vec3::Zero());
+  while (t <= hi) {
+    if (points) {
+      const double next = point_next_departure(from, velocity, duration, t);
+      if (next > t) {
+        t = next;
+        continue;
+      }
+    }
+    if (pieces_clear(a, b, t, duration)) return t;
+    if (t == hi) break;
+    t = std::min(t + step, hi);
+    step *= 1.5;
+  }
+  return std::nullopt;
+}
+
+}  // namespace accord

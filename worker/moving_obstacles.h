@@ -1,0 +1,79 @@
+// What a robot must avoid in time: other robots on known paths. Answers the two questions that
+// safe-interval planning asks (Phillips and Likhachev 2011): when may a robot rest at a
+// configuration, and when is the earliest instant it may set out on a motion.
+// Answers are certificates: rests and motions that they allow are free at every instant.
+// Not thread safe (holds scratch); one per thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/model/trajectory.h"
+
+namespace accord {
+
+// Closed interval of time, s. hi may be infinite.
+struct Interval {
+  double lo;
+  double hi;
+};
+
+class MovingObstacles {
+ public:
+  // For `robot`, between the instants `from` and `latest` (s, may be infinite).
+  MovingObstacles(const CollisionWorld& world, RobotId robot, double from, double latest);
+
+  // Adds another robot; it parks at its path's ends. Copies what it needs.
+  void add(RobotId other, const Trajectory& path);
+  bool empty() const { return points_.empty() && pieces_.empty(); }
+
+  // The times in [from, latest] at which resting at q is free, in order, disjoint. Empty: never.
+  void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
+
+  // The earliest departure in [lo, hi] from which the linear motion from a to b, taking `duration`
+  // (s, > 0), is free. nullopt: none was found. For discs and balls exact; for other bodies
+  // departures are tried in growing steps, so that a narrow opening can be missed, never a contact.
+  std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
+                                           double duration, double lo, double hi);
+
+  // Whether the linear motion from a at t to b at t + duration is free.
+  bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
+
+ private:
+  // A point robot on a linear motion; `distance` is what centres must keep.
+  struct PointPiece {
+    double t0, t1;
+    Vec3 position;  // at t0
+    Vec3 velocity;
+    double distance;
+    double squared;  // distance squared
+  };
+  // Any robot on a linear motion.
+  struct Piece {
+    RobotId robot;
+    double t0, t1;
+    Configuration from, to;
+    Aabb bounds;  // inflated by what must be kept
+  };
+
+  void add_points(RobotId other, const Trajectory& path, double distance);
+  void point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const;
+  void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
+  double point_next_departure(const Vec3& a, const Vec3& velocity, double duration, double t) const;
+  bool pieces_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
+  // First contact of a motion over [t0, t1] with a piece, within the time both share.
+  std::optional<double> contact(const Piece& piece, ConfigurationView a, ConfigurationView b,
+                                double t0, double t1);
+
+  const CollisionWorld& world_;
+  RobotId robot_;
+  double from_;
+  double latest_;
+  std::vector<PointPiece> points_;
+  std::vector<Piece> pieces_;
+  std::vector<Interval> unsafe_;  // scratch
+  Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
+};
+
+}  // namespace accord

@@ -1,0 +1,14 @@
+// Makes a timed path shorter after it was found: searches again on the complete graph of its own
+// places and the points between them. A path found on samples wanders; this takes most of it out.
+#pragma once
+
+#include "common/planning/subproblem.h"
+#include "worker/safe_interval_search.h"
+
+namespace accord {
+
+// Replaces `result` where the new search arrives earlier. Never makes it worse. The request is the
+// one that the result answers; only its times are used.
+void shorten(Team& team, const SearchRequest& request, SearchResult& result, Effort& effort);
+
+}  // namespace accord

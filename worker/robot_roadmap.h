@@ -1,0 +1,44 @@
+// A roadmap of one robot's whole configuration space (PRM; Kavraki et al. 1996), shared by all
+// robots of the same model in the same place. Grows by levels; a level's nodes and edges depend on
+// the scene alone, so that every process that builds it has the same one. Edges are proved when
+// first needed, and remembered.
+// Thread safe.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/planning/subproblem.h"
+
+namespace accord {
+
+class RobotRoadmap {
+ public:
+  static constexpr std::size_t kLevels = 4;
+
+  // `robot` stands for all that share the roadmap. Cheap: levels are built when asked for.
+  RobotRoadmap(const CollisionWorld& world, RobotId robot);
+  ~RobotRoadmap();
+
+  // The shortest path (in time) from start to goal on the roadmap of `level` (from 0), as
+  // configurations from start to goal, numbers running on over whole turns; nullopt: none.
+  // Requires: start and goal are free, level < kLevels.
+  std::optional<std::vector<Configuration>> query(std::size_t level, ConfigurationView start,
+                                                  ConfigurationView goal, Effort& effort) const;
+
+ private:
+  struct Level;
+  const Level& level(std::size_t index) const;
+
+  const CollisionWorld& world_;
+  RobotId robot_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Level>> levels_;
+};
+
+}  // namespace accord

@@ -1,0 +1,165 @@
+#include "worker/safe_interval_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace accord {
+namespace {
+
+using Node = LocalRoadmap::Node;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// A node within one of its safe intervals.
+struct State {
+  Node node;
+  Interval interval;
+  double arrival = std::numeric_limits<double>::infinity();
+  double departure = 0;  // from the parent
+  std::uint32_t parent = kNone;
+  bool closed = false;
+};
+
+struct Open {
+  double bound;  // arrival plus the least time to the goal
+  double arrival;
+  std::uint32_t state;
+
+  // For a queue with the least bound on top; of equals the one that is furthest on.
+  bool operator<(const Open& other) const {
+    if (bound != other.bound) return bound > other.bound;
+    if (arrival != other.arrival) return arrival < other.arrival;
+    return state > other.state;
+  }
+};
+
+class Search {
+ public:
+  Search(Team& team, LocalRoadmap& roadmap, const SearchRequest& request)
+      : team_(team), roadmap_(roadmap), request_(request), first_(roadmap.size(), kNone),
+        count_(roadmap.size(), 0), bounds_(roadmap.size(), -1) {}
+
+  std::optional<SearchResult> run(std::uint64_t& expanded) {
+    open_start();
+    for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty();) {
+      const std::uint32_t id = open_.top().state;
+      open_.pop();
+      if (states_[id].closed) continue;
+      states_[id].closed = true;
+      if (is_goal(states_[id])) return SearchResult{trace(id), states_[id].interval.hi};
+      ++expanded;
+      --budget;
+      expand(id);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void open_start() {
+    load_states(request_.start);
+    for (std::uint32_t i = 0; i < count_[request_.start]; ++i) {
+      State& state = states_[first_[request_.start] + i];
+      if (state.interval.lo > request_.from || state.interval.hi < request_.from) continue;
+      state.arrival = request_.from;
+      open_.push({request_.from, request_.from, first_[request_.start] + i});
+    }
+  }
+
+  bool is_goal(const State& state) const {
+    return state.node == request_.goal &&
+           state.interval.hi >= std::max(state.arrival, request_.hold_until);
+  }
+
+  void load_states(Node node) {
+    if (first_[node] != kNone) return;
+    team_.safe_intervals(roadmap_.configuration(node), intervals_);
+    first_[node] = static_cast<std::uint32_t>(states_.size());
+    count_[node] = static_cast<std::uint32_t>(intervals_.size());
+    for (const Interval& interval : intervals_) states_.push_back({node, interval});
+  }
+
+  double least_time_to_goal(Node node) {
+    if (bounds_[node] < 0) {
+      target_.resize(team_.dof());
+      team_.nearest_representation(roadmap_.configuration(node),
+                                   roadmap_.configuration(request_.goal), target_);
+      bounds_[node] = team_.duration(roadmap_.configuration(node), target_);
+    }
+    return bounds_[node];
+  }
+
+  void expand(std::uint32_t id) {
+    for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
+      const double arrival = states_[id].arrival + edge.duration;
+      if (arrival + least_time_to_goal(edge.to) > request_.latest) continue;
+      load_states(edge.to);
+      for (std::uint32_t i = 0; i < count_[edge.to]; ++i) relax(id, edge, first_[edge.to] + i);
+    }
+  }
+
+  void relax(std::uint32_t from_id, const LocalRoadmap::Edge& edge, std::uint32_t to_id) {
+    const State from = states_[from_id];
+    const Interval there = states_[to_id].interval;
+    if (states_[to_id].closed) return;
+    const double lo = std::max(from.arrival, there.lo - edge.duration);
+    const double hi = std::min(from.interval.hi, there.hi - edge.duration);
+    if (lo > hi || lo + edge.duration >= states_[to_id].arrival) return;
+    if (!roadmap_.is_free(team_, from.node, edge)) return;
+    target_.resize(team_.dof());
+    team_.nearest_representation(roadmap_.configuration(from.node),
+                                 roadmap_.configuration(edge.to), target_);
+    const auto departure = team_.earliest_departure(roadmap_.configuration(from.node), target_,
+                                                    edge.duration, lo, hi);
+    if (!departure) return;
+    const double arrival = *departure + edge.duration;
+    const double bound = arrival + least_time_to_goal(edge.to);
+    State& to = states_[to_id];
+    if (arrival >= to.arrival || bound > request_.latest) return;
+    to.arrival = arrival;
+    to.departure = *departure;
+    to.parent = from_id;
+    open_.push({bound, arrival, to_id});
+  }
+
+  Trajectory trace(std::uint32_t id) const {
+    std::vector<std::uint32_t> states;
+    for (std::uint32_t s = id; s != kNone; s = states_[s].parent) states.push_back(s);
+    std::ranges::reverse(states);
+    Trajectory path(team_.dof());
+    Configuration q(team_.dof());
+    const ConfigurationView start = roadmap_.configuration(request_.start);
+    std::copy(start.begin(), start.end(), q.begin());
+    path.append(request_.from, q);
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      const State& state = states_[states[i]];
+      if (state.departure > path.end_time()) path.append(state.departure, q);
+      // Whole turns add up along the path: each waypoint is written nearest to the one before.
+      team_.nearest_representation(path.configuration(path.size() - 1),
+                                   roadmap_.configuration(state.node), q);
+      path.append(state.arrival, q);
+    }
+    return path;
+  }
+
+  Team& team_;
+  LocalRoadmap& roadmap_;
+  const SearchRequest& request_;
+  std::vector<std::uint32_t> first_;  // a node's first state
+  std::vector<std::uint32_t> count_;  // a node's number of states
+  std::vector<double> bounds_;        // a node's least time to the goal; -1: not known yet
+  std::vector<State> states_;
+  std::priority_queue<Open> open_;
+  std::vector<Interval> intervals_;  // scratch
+  Configuration target_;             // scratch
+};
+
+}  // namespace
+
+std::optional<SearchResult> safe_interval_search(Team& team, LocalRoadmap& roadmap,
+                                                 const SearchRequest& request,
+                                                 std::uint64_t& expanded) {
+  return Search(team, roadmap, request).run(expanded);
+}
+
+}  // namespace accord

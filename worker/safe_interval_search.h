@@ -1,0 +1,35 @@
+// Safe-interval path planning on a roadmap, in continuous time: the earliest arrival at a goal
+// among moving obstacles, waiting allowed at every node (SIPP; Phillips and Likhachev, ICRA 2011).
+// Optimal on the roadmap where departures are found exactly (see MovingObstacles).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/model/trajectory.h"
+#include "worker/local_roadmap.h"
+#include "worker/team.h"
+
+namespace accord {
+
+struct SearchRequest {
+  LocalRoadmap::Node start;
+  LocalRoadmap::Node goal;
+  double from;             // s: at the start
+  double hold_until;       // s: the goal must stay free until then (or the arrival, if later)
+  double latest;           // s: arrive by then
+  std::size_t expansions;  // gives up after so many
+};
+
+struct SearchResult {
+  Trajectory path;       // of the team; from `from` to the arrival, waits written out
+  double free_until;     // s: resting at the goal stays free until then
+};
+
+// nullopt: the roadmap holds no such path, or the expansions ran out. Proves edges as it needs
+// them. `expanded` is increased by the states expanded.
+std::optional<SearchResult> safe_interval_search(Team& team, LocalRoadmap& roadmap,
+                                                 const SearchRequest& request,
+                                                 std::uint64_t& expanded);
+
+}  // namespace accord

@@ -1,0 +1,52 @@
+#include "worker/solver.h"
+
+#include <stdexcept>
+
+#include "worker/composite_prm.h"
+#include "worker/decoupled_prm.h"
+#include "worker/prioritized_query.h"
+
+namespace accord {
+
+Resolution Solver::solve(const CollisionWorld& world, const Subproblem& subproblem,
+                         const std::atomic<bool>& stop) const {
+  if (subproblem.tasks.empty() || stop) return {};
+  return do_solve(world, subproblem, stop);
+}
+
+const std::vector<std::string>& local_solver_names() {
+  static const std::vector<std::string> names{
+      std::string(PrioritizedQuery::kName), std::string(DecoupledPrm::kName),
+      std::string(CompositePrm::kName)};
+  return names;
+}
+
+std::unique_ptr<Solver> make_solver(std::string_view name) {
+  if (name == PrioritizedQuery::kName) return std::make_unique<PrioritizedQuery>();
+  if (name == DecoupledPrm::kName) return std::make_unique<DecoupledPrm>();
+  if (name == CompositePrm::kName) return std::make_unique<CompositePrm>();
+  return nullptr;
+}
+
+SolverHierarchy::SolverHierarchy(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    solvers_.push_back(make_solver(name));
+    if (!solvers_.back()) throw std::invalid_argument("unknown solver \"" + name + "\"");
+  }
+}
+
+Resolution SolverHierarchy::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+                                     const std::atomic<bool>& stop) const {
+  Effort effort;
+  for (const auto& solver : solvers_) {
+    Resolution resolution = solver->solve(world, subproblem, stop);
+    effort += resolution.effort;
+    resolution.effort = effort;
+    if (resolution.solved || stop) return resolution;
+  }
+  Resolution exhausted;
+  exhausted.effort = effort;
+  return exhausted;
+}
+
+}  // namespace accord

@@ -1,0 +1,55 @@
+// One way to solve a subproblem. Implementations: PrioritizedQuery, DecoupledPrm, CompositePrm,
+// and SolverHierarchy, which tries a list of them in order.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/planning/subproblem.h"
+
+namespace accord {
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  // A resolution whose local paths are free, at every instant, of obstacles, of each other and of
+  // the outsiders (within the window and until they leave it together); or one that is not solved.
+  // Depends on the subproblem alone, unless `stop` becomes true, which ends the attempt unsolved
+  // soon. Requires: the subproblem is of the world's scene. Thread safe.
+  Resolution solve(const CollisionWorld& world, const Subproblem& subproblem,
+                   const std::atomic<bool>& stop) const;
+
+  virtual std::string_view name() const = 0;
+
+ private:
+  virtual Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+                              const std::atomic<bool>& stop) const = 0;
+};
+
+// The names that make_solver() knows, in the paper's order: "prioritized-query", "decoupled-prm",
+// "composite-prm".
+const std::vector<std::string>& local_solver_names();
+
+// nullptr for an unknown name.
+std::unique_ptr<Solver> make_solver(std::string_view name);
+
+// The solvers of the list one after another, until one solves it. (Alg. 2, lines 3 to 8)
+class SolverHierarchy final : public Solver {
+ public:
+  // Requires: names are known.
+  explicit SolverHierarchy(const std::vector<std::string>& names);
+  std::string_view name() const override { return "hierarchy"; }
+
+ private:
+  Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+                      const std::atomic<bool>& stop) const override;
+
+  std::vector<std::unique_ptr<Solver>> solvers_;
+};
+
+}  // namespace accord
