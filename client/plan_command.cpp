@@ -1,0 +1,119 @@
+// accord plan: from a scene to a proven plan.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "client/commands.h"
+#include "client/engine/planner.h"
+#include "client/files.h"
+#include "client/interrupt.h"
+#include "client/plan_text.h"
+#include "client/progress_line.h"
+#include "common/io/plan_file.h"
+#include "common/planning/verifier.h"
+
+namespace accord {
+namespace {
+
+struct CommandOptions {
+  std::string scene;
+  std::string output;
+  PlanOptions plan;
+  double timeout = 0;  // s; 0: none
+  bool json = false;
+  bool quiet = false;
+};
+
+ExitCode exit_code_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return ExitCode::kSuccess;
+    case PlanStatus::kInfeasible:
+      return ExitCode::kInfeasible;
+    case PlanStatus::kTimeout:
+    case PlanStatus::kCancelled:
+      return ExitCode::kTimeout;
+    case PlanStatus::kInvalid:
+      return ExitCode::kBadInput;
+  }
+  return ExitCode::kBug;
+}
+
+Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const CommandOptions& options) {
+  PlanOptions request = options.plan;
+  if (options.timeout > 0) request.timeout = options.timeout;
+  ProgressLine line(scene->robots.size());
+  ProgressCallback report;
+  if (line.visible() && !options.quiet) {
+    report = [&line](const Progress& progress) { line.show(progress); };
+  }
+  return plan(scene, request, report, &interrupt_flag());
+}
+
+// Proves the plan once more, as it is about to be written.
+Verdict prove(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads) {
+  Verdict verdict = verify(scene, plan, threads);
+  if (!verdict.proved()) {
+    throw std::logic_error("the plan does not hold: " + verdict.violation->text);
+  }
+  return verdict;
+}
+
+ExitCode run(const CommandOptions& options) {
+  const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
+  if (!scene) return ExitCode::kBadInput;
+  const Plan plan = plan_with_progress(scene, options);
+  std::optional<Verdict> verdict;
+  if (plan.status == PlanStatus::kSolved) verdict = prove(scene, plan, options.plan.workers);
+
+  const std::string json = plan_to_json(plan);
+  if (!options.output.empty() && !write_file_or_explain(options.output, json)) {
+    return ExitCode::kBadInput;
+  }
+  if (options.json) {
+    std::cout << json;
+  } else if (verdict && !options.quiet) {
+    std::cout << solved_text(plan, *verdict);
+  }
+  if (!verdict) std::cerr << unsolved_text(plan);
+  return exit_code_of(plan.status);
+}
+
+void add_options(CLI::App& command, CommandOptions& options) {
+  command.add_option("SCENE", options.scene, "Scene file (.yaml)")->required();
+  command.add_option("-o,--output", options.output, "Plan file to write (.json)");
+  command.add_option("-s,--seed", options.plan.seed, "Decides all that is drawn at random")
+      ->capture_default_str();
+  command.add_option("-t,--timeout", options.timeout, "Give up after so many seconds")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("-w,--workers", options.plan.workers,
+                  "Threads; the plan is the same for any number (default: one for each core)")
+      ->check(CLI::Range(1U, 1024U));
+  command
+      .add_option("--solvers", options.plan.solvers,
+                  "Solvers for conflicts, tried in this order (default: all of them)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(solver_names()));
+  command.add_flag("--json", options.json, "Print the plan instead of a summary");
+  command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<CommandOptions>();
+  options->plan.workers = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = app.add_subcommand(
+      "plan", "Plan a scene: every robot from its start to its goal, proved free of collisions");
+  add_options(*command, *options);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace accord

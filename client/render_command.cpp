@@ -1,0 +1,44 @@
+// accord render: a picture of a scene and its plan.
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/commands.h"
+#include "client/files.h"
+#include "client/render/picture.h"
+
+namespace accord {
+namespace {
+
+struct RenderOptions {
+  std::string scene;
+  std::string plan;
+  std::string output;
+};
+
+ExitCode run(const RenderOptions& options) {
+  const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
+  if (!scene) return ExitCode::kBadInput;
+  std::optional<Plan> plan;
+  if (!options.plan.empty()) {
+    plan = load_plan_or_explain(options.plan);
+    if (!plan) return ExitCode::kBadInput;
+  }
+  const std::string picture = draw(*scene, plan ? &*plan : nullptr);
+  return write_file_or_explain(options.output, picture) ? ExitCode::kSuccess : ExitCode::kBadInput;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, ExitCode& exit_code) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a scene, and the paths of a plan, as an SVG picture");
+  command->add_option("SCENE", options->scene, "Scene file (.yaml)")->required();
+  command->add_option("PLAN", options->plan, "Plan file (.json)");
+  command->add_option("-o,--output", options->output, "Picture to write (.svg)")->required();
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace accord
