@@ -1,0 +1,26 @@
+// Whether links and joints form one tree, and the order of its parts.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/io/diagnostic.h"
+#include "common/model/robot.h"
+
+namespace accord {
+
+struct KinematicTree {
+  std::vector<int> links;           // indices as given: the root, then the rest as given
+  std::vector<std::size_t> joints;  // indices as given, parents before children
+};
+
+// Reports links with two parents, several roots, and cycles. Requires: parents and children are
+// indices of links.
+std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
+                                          const std::vector<Joint>& joints,
+                                          const std::vector<Place>& joint_places,
+                                          const std::string& file, Faults& faults);
+
+}  // namespace accord

@@ -1,0 +1,28 @@
+// Maps of ROS's map_server: a YAML file that names a graymap and says how to read it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "common/io/diagnostic.h"
+#include "common/io/grid.h"
+#include "common/model/shape.h"
+
+namespace accord {
+
+struct RosMap {
+  Grid grid;
+  double resolution;  // m a cell
+  Pose origin;        // of the lower left corner of the grid
+};
+
+// A cell is free where its occupancy is below free_thresh; all others, the unknown ones too, are
+// blocked. Occupancy is (white - value) / white, or value / white where `negate`. Keys: image,
+// resolution, origin [x, y, yaw]; and with defaults negate (0), occupied_thresh (0.65), free_thresh
+// (0.196), mode (trinary; scale means the same here). `path` is the YAML file, whose text is given.
+// Thread safe.
+std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem::path& path,
+                                    Faults& faults);
+
+}  // namespace accord

@@ -1,0 +1,33 @@
+// What the readers of a scene's parts share during one load.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "common/io/diagnostic.h"
+#include "common/io/document.h"
+#include "common/io/mesh.h"
+#include "common/io/pose_fields.h"
+
+namespace accord {
+
+struct SceneContext {
+  Faults& faults;
+  // Where the files that the scene names lie; empty: it may name none.
+  std::filesystem::path folder;
+  Space space = Space::kUnknown;
+  MeshStore meshes = {};
+
+  // Spent so far; see limits.h.
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+
+  // The file that a value names, or nullopt after a report.
+  std::optional<std::filesystem::path> file_of(const Value& value);
+  // Counts what a shape costs; false, after blaming somebody, where that is too much.
+  bool afford(const Shape& shape, const Blame& blame);
+};
+
+}  // namespace accord

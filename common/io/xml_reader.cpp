@@ -1,0 +1,153 @@
+#include "common/io/xml_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/io/limits.h"
+#include "common/io/line_reader.h"
+#include "common/io/pose_fields.h"
+#include "common/io/words.h"
+
+namespace accord {
+namespace {
+
+constexpr Range kAnyNumber{-1e12, 1e12, ""};
+
+std::optional<double> number_in(std::string_view word, Range range) {
+  const auto value = parse_number(word);
+  if (!value || !(*value >= range.min && *value <= range.max)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocument& document,
+               Faults& faults) {
+  const auto attributes = static_cast<std::size_t>(std::ranges::count(text, '='));
+  if (attributes > limits::kXmlAttributes) {
+    faults.add(file, 0, "", "more than " + std::to_string(limits::kXmlAttributes) + " attributes");
+    return false;
+  }
+  if (const std::size_t bad = first_unprintable(text); bad != std::string_view::npos) {
+    const auto line = 1 + std::ranges::count(text.substr(0, bad), '\n');
+    faults.add(file, static_cast<int>(line), "",
+               "not text: the byte " + in_quotes(text.substr(bad, 1)) + "; expected UTF-8");
+    return false;
+  }
+  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return true;
+  std::string reason = document.ErrorName();
+  if (reason.starts_with("XML_ERROR_")) reason = reason.substr(10);
+  if (reason.starts_with("XML_")) reason = reason.substr(4);
+  std::ranges::transform(reason, reason.begin(), [](unsigned char c) {
+    return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+  });
+  faults.add(file, document.ErrorLineNum(), "", "not valid XML: " + reason);
+  return false;
+}
+
+void XmlElement::fault(const char* attribute, std::string_view text) const {
+  faults_->add(*file_, element_->GetLineNum(), attribute_key(attribute), text);
+}
+
+std::optional<XmlElement> XmlElement::child(const char* name) const {
+  const tinyxml2::XMLElement* found = element_->FirstChildElement(name);
+  if (found == nullptr) return std::nullopt;
+  XmlElement result = with_key(*found, attribute_key(name));
+  if (const auto* second = found->NextSiblingElement(name)) {
+    with_key(*second, attribute_key(name))
+        .fault("given twice; the first is in line " + std::to_string(found->GetLineNum()));
+  }
+  return result;
+}
+
+std::optional<XmlElement> XmlElement::required_child(const char* name) const {
+  auto found = child(name);
+  if (!found) fault(name, "missing; expected an element <" + std::string(name) + ">");
+  return found;
+}
+
+std::optional<std::string> XmlElement::name(const char* attribute) const {
+  const char* text = element_->Attribute(attribute);
+  if (text == nullptr || *text == '\0') {
+    fault(attribute, "missing; expected a name");
+    return std::nullopt;
+  }
+  const std::string_view name(text);
+  if (name.size() > limits::kNameBytes || name.find_first_of("\t\r\n") != std::string_view::npos) {
+    fault(attribute, "expected a name of at most " + std::to_string(limits::kNameBytes) +
+                         " bytes in one line, not " + in_quotes(name));
+    return std::nullopt;
+  }
+  return std::string(name);
+}
+
+std::optional<double> XmlElement::number(const char* attribute, Range range) const {
+  const char* text = element_->Attribute(attribute);
+  if (text == nullptr) {
+    fault(attribute, "missing; expected a number");
+    return std::nullopt;
+  }
+  std::string_view rest(text);
+  const std::string_view word = take_word(rest);
+  const auto any = take_word(rest).empty() ? number_in(word, kAnyNumber) : std::nullopt;
+  if (!any) {
+    fault(attribute, "expected a finite number, not " + in_quotes(text));
+    return std::nullopt;
+  }
+  if (*any >= range.min && *any <= range.max) return any;
+  const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
+  const bool sign = range.min > 0 && *any <= 0;
+  fault(attribute, (sign ? "must be greater than 0" + unit
+                         : "expected a number from " + in_words(range.min) + " to " +
+                               in_words(range.max) + unit) +
+                       ", not " + in_words(*any));
+  return std::nullopt;
+}
+
+std::optional<Vec3> XmlElement::vector(const char* attribute, Range range) const {
+  const char* text = element_->Attribute(attribute);
+  if (text == nullptr) {
+    fault(attribute, "missing; expected three numbers");
+    return std::nullopt;
+  }
+  Vec3 out = Vec3::Zero();
+  std::string_view rest(text);
+  bool sound = true;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto value = number_in(take_word(rest), range);
+    sound = sound && value;
+    out[i] = value.value_or(0);
+  }
+  if (!sound || !take_word(rest).empty()) {
+    const bool bounded = range.min > 0;
+    fault(attribute, std::string(bounded ? "expected three numbers greater than 0, not "
+                                         : "expected three finite numbers, not ") +
+                         in_quotes(text));
+    return std::nullopt;
+  }
+  return out;
+}
+
+void XmlElement::report_misspelt(std::initializer_list<std::string_view> known) const {
+  const std::vector<std::string_view> words(known);
+  for (const auto* it = element_->FirstChildElement(); it != nullptr && !faults_->full();
+       it = it->NextSiblingElement()) {
+    const std::string_view name(it->Name());
+    if (std::ranges::find(words, name) != words.end()) continue;
+    if (const auto nearest = nearest_word(name, words)) {
+      with_key(*it, key_).fault("unknown element <" + std::string(name.substr(0, 60)) +
+                                ">; did you mean <" + std::string(*nearest) + ">?");
+    }
+  }
+}
+
+Pose read_origin(const XmlElement& element) {
+  const auto origin = element.child("origin");
+  if (!origin) return Pose::Identity();
+  const auto xyz = origin->has("xyz") ? origin->vector("xyz", kCoordinateRange) : std::nullopt;
+  const auto rpy = origin->has("rpy") ? origin->vector("rpy", kAngleRange) : std::nullopt;
+  return make_pose(xyz.value_or(Vec3::Zero()), rpy.value_or(Vec3::Zero()));
+}
+
+}  // namespace accord
