@@ -12,6 +12,7 @@
 // Thread safety: immutable after construction; all const members may be called concurrently.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -126,6 +127,7 @@ class CollisionWorld {
   struct Impl;
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Impl> impl_;
+  double margin_;
 };
 
 }  // namespace accord

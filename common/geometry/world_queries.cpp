@@ -1,0 +1,234 @@
+// Yes or no, from when on, and how far: the queries that planning lives on.
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/world_core.h"
+
+namespace accord {
+namespace {
+
+constexpr double kLimitTolerance = 1e-9;  // rad or m
+
+// Returns what was counted to the world when a query ends.
+template <int D>
+class Counting {
+ public:
+  Counting(Advancement<D>& work, QueryCounter& counter) : work_(work), counter_(counter) {}
+  ~Counting() {
+    if (work_.distances != 0) counter_.add(work_.distances);
+    work_.distances = 0;
+  }
+  Counting(const Counting&) = delete;
+  Counting& operator=(const Counting&) = delete;
+
+ private:
+  Advancement<D>& work_;
+  QueryCounter& counter_;
+};
+
+bool before(ConfigurationView a, ConfigurationView b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+}  // namespace
+
+template <int D>
+typename WorldCore<D>::Work& WorldCore<D>::begin(RobotId robot, ConfigurationView from,
+                                                 ConfigurationView to) const {
+  Work& work = thread_advancement<D>();
+  work.pairs.clear();
+  work.fixed = fixed_;
+  work.two = false;
+  work.first.start(chains_[robot.index()], from, to);
+  return work;
+}
+
+template <int D>
+bool WorldCore<D>::within_limits(RobotId robot, ConfigurationView q) const {
+  const auto& dofs = scene_->robot(robot).model->dofs;
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    if (!(q[i] >= dofs[i].lower - kLimitTolerance && q[i] <= dofs[i].upper + kLimitTolerance)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <int D>
+double WorldCore<D>::leaves_limits(RobotId robot, ConfigurationView a, ConfigurationView b) const {
+  const auto& dofs = scene_->robot(robot).model->dofs;
+  double first = 2;
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const double low = dofs[i].lower - kLimitTolerance;
+    const double high = dofs[i].upper + kLimitTolerance;
+    if (!(a[i] >= low && a[i] <= high)) return 0;
+    if (b[i] < low) first = std::min(first, (low - a[i]) / (b[i] - a[i]));
+    if (b[i] > high) first = std::min(first, (high - a[i]) / (b[i] - a[i]));
+  }
+  return first;
+}
+
+template <int D>
+bool WorldCore<D>::is_free(RobotId robot, ConfigurationView q) const {
+  return motion_is_free(robot, q, q);
+}
+
+template <int D>
+bool WorldCore<D>::motion_is_free(RobotId robot, ConfigurationView a, ConfigurationView b) const {
+  if (!within_limits(robot, a) || !within_limits(robot, b)) return false;
+  if (before(b, a)) std::swap(a, b);  // the same answer both ways, to the last bit
+  Work& work = begin(robot, a, b);
+  const Counting<D> counting(work, counter_);
+  if (chains_[robot.index()].radius() >= 0) {
+    add_disc_pairs(robot, work);
+    if (work.pairs.empty()) return true;
+  } else {
+    add_self_pairs(work);
+    add_fixed_pairs(robot, work);
+  }
+  return !swallowed(work) && work.proves_free();
+}
+
+template <int D>
+std::optional<double> WorldCore<D>::first_fault(RobotId robot, ConfigurationView a,
+                                                ConfigurationView b) const {
+  const double limit = leaves_limits(robot, a, b);
+  if (limit <= 0) return 0.0;
+  Work& work = begin(robot, a, b);
+  const Counting<D> counting(work, counter_);
+  if (chains_[robot.index()].radius() >= 0) {
+    add_disc_pairs(robot, work);
+  } else {
+    add_self_pairs(work);
+    add_fixed_pairs(robot, work);
+  }
+  if (swallowed(work)) return 0.0;
+  std::optional<double> contact;
+  if (!work.pairs.empty()) contact = work.first_contact();
+  if (limit <= 1 && (!contact || limit < *contact)) return limit;
+  return contact;
+}
+
+template <int D>
+Extent<D> WorldCore<D>::rough_extent(RobotId robot, ConfigurationView a,
+                                     ConfigurationView b) const {
+  const Chain<D>& chain = chains_[robot.index()];
+  if (!chain.mobile()) return chain.reach_box();
+  const Eigen::Map<const Vec<D>> from(a.data());
+  const Eigen::Map<const Vec<D>> to(b.data());
+  const double extent = chain.radius() >= 0 ? chain.radius() : chain.reach()[D];
+  return Extent<D>{from.cwiseMin(to), from.cwiseMax(to)}.inflated(extent);
+}
+
+template <int D>
+std::optional<double> WorldCore<D>::first_contact(RobotId a, ConfigurationView from_a,
+                                                  ConfigurationView to_a, RobotId b,
+                                                  ConfigurationView from_b,
+                                                  ConfigurationView to_b) const {
+  const Extent<D> rough = rough_extent(a, from_a, to_a).inflated(apart_);
+  if (!rough.overlaps(rough_extent(b, from_b, to_b))) return std::nullopt;
+  Work& work = begin(a, from_a, to_a);
+  const Counting<D> counting(work, counter_);
+  work.two = true;
+  work.second.start(chains_[b.index()], from_b, to_b);
+  add_robot_pairs(work);
+  if (work.pairs.empty()) return std::nullopt;
+  if (swallowed(work)) return 0.0;
+  return work.first_contact();
+}
+
+template <int D>
+double WorldCore<D>::obstacle_distance(RobotId robot, ConfigurationView q, double cutoff) const {
+  Work& work = begin(robot, q, q);
+  const Counting<D> counting(work, counter_);
+  double best = cutoff;
+  sweep_pieces(work);
+  for (std::size_t i = 0; i < work.extents.size() && best > 0; ++i) {
+    const Placed<D>& piece = work.first.piece(static_cast<int>(i));
+    tree_.each_near(work.extents[i], best, [&](int fixed) {
+      const Placed<D>& obstacle = fixed_[static_cast<std::size_t>(fixed)];
+      if (solids_ && (contains(obstacle, piece) || contains(piece, obstacle))) best = 0;
+      const double radii = piece.piece->radius + obstacle.piece->radius + rounding_;
+      const double far = best + radii + piece.piece->bound + obstacle.piece->bound;
+      if (best <= 0 || (obstacle.frame.t - piece.frame.t).squaredNorm() > far * far) return best;
+      ++work.distances;
+      const Wanted wanted{best + radii, radii, 1e-8, 0};
+      const Gap<D> gap = accord::gap(piece, obstacle, wanted, Vec<D>(Vec<D>::Zero()));
+      best = std::clamp(gap.distance - radii, 0.0, best);
+      return best;
+    });
+  }
+  return best;
+}
+
+template <int D>
+double WorldCore<D>::separation(RobotId a, ConfigurationView qa, RobotId b, ConfigurationView qb,
+                                double cutoff) const {
+  Work& work = begin(a, qa, qa);
+  const Counting<D> counting(work, counter_);
+  work.two = true;
+  work.second.start(chains_[b.index()], qb, qb);
+  work.move_to(0);
+  double best = cutoff;
+  for (std::size_t i = 0; i < work.first.chain().pieces().size(); ++i) {
+    const Placed<D>& p = work.first.piece(static_cast<int>(i));
+    for (std::size_t j = 0; j < work.second.chain().pieces().size(); ++j) {
+      const Placed<D>& other = work.second.piece(static_cast<int>(j));
+      const double radii = p.piece->radius + other.piece->radius + rounding_;
+      const double far = best + radii + p.piece->bound + other.piece->bound;
+      if ((other.frame.t - p.frame.t).squaredNorm() > far * far) continue;
+      if (solids_ && (contains(p, other) || contains(other, p))) return 0;
+      ++work.distances;
+      const Wanted wanted{best + radii, radii, 1e-8, 0};
+      const Gap<D> gap = accord::gap(p, other, wanted, Vec<D>(Vec<D>::Zero()));
+      best = std::clamp(gap.distance - radii, 0.0, best);
+      if (best <= 0) return 0;
+    }
+  }
+  return best;
+}
+
+template <int D>
+Extent<D> WorldCore<D>::swept_bounds(RobotId robot, ConfigurationView a,
+                                     ConfigurationView b) const {
+  const Chain<D>& chain = chains_[robot.index()];
+  if (chain.radius() >= 0) return rough_extent(robot, a, b);
+  Work& work = begin(robot, a, b);
+  sweep_pieces(work);
+  Extent<D> all = Extent<D>::nothing();
+  for (std::size_t i = 0; i < chain.pieces().size(); ++i) all.merge(work.extents[i]);
+  return all;
+}
+
+template bool WorldCore<2>::is_free(RobotId, ConfigurationView) const;
+template bool WorldCore<3>::is_free(RobotId, ConfigurationView) const;
+template bool WorldCore<2>::motion_is_free(RobotId, ConfigurationView, ConfigurationView) const;
+template bool WorldCore<3>::motion_is_free(RobotId, ConfigurationView, ConfigurationView) const;
+template std::optional<double> WorldCore<2>::first_fault(RobotId, ConfigurationView,
+                                                         ConfigurationView) const;
+template std::optional<double> WorldCore<3>::first_fault(RobotId, ConfigurationView,
+                                                         ConfigurationView) const;
+template std::optional<double> WorldCore<2>::first_contact(RobotId, ConfigurationView,
+                                                           ConfigurationView, RobotId,
+                                                           ConfigurationView,
+                                                           ConfigurationView) const;
+template std::optional<double> WorldCore<3>::first_contact(RobotId, ConfigurationView,
+                                                           ConfigurationView, RobotId,
+                                                           ConfigurationView,
+                                                           ConfigurationView) const;
+template double WorldCore<2>::obstacle_distance(RobotId, ConfigurationView, double) const;
+template double WorldCore<3>::obstacle_distance(RobotId, ConfigurationView, double) const;
+template double WorldCore<2>::separation(RobotId, ConfigurationView, RobotId, ConfigurationView,
+                                         double) const;
+template double WorldCore<3>::separation(RobotId, ConfigurationView, RobotId, ConfigurationView,
+                                         double) const;
+template Extent<2> WorldCore<2>::swept_bounds(RobotId, ConfigurationView, ConfigurationView) const;
+template Extent<3> WorldCore<3>::swept_bounds(RobotId, ConfigurationView, ConfigurationView) const;
+template bool WorldCore<2>::within_limits(RobotId, ConfigurationView) const;
+template bool WorldCore<3>::within_limits(RobotId, ConfigurationView) const;
+template WorldCore<2>::Work& WorldCore<2>::begin(RobotId, ConfigurationView,
+                                                 ConfigurationView) const;
+template WorldCore<3>::Work& WorldCore<3>::begin(RobotId, ConfigurationView,
+                                                 ConfigurationView) const;
+
+}  // namespace accord
