@@ -125,7 +125,8 @@ typename Advancement<D>::Cover Advancement<D>::look(Pair<D>& pair, double back, 
   const double far = need + a.piece->bound + b.piece->bound;
   if ((b.frame.t - a.frame.t).squaredNorm() > far * far) return {back, forward, false};
   ++distances;
-  const Wanted wanted{need, pair.keep, 1e-10, 0.02};
+  // A little more than needed: pairs at rest to each other need no more than what is contact.
+  const Wanted wanted{need + kContactResolution, pair.keep, 1e-10, 0.02};
   const Gap<D> gap = accord::gap(a, b, wanted, pair.normal);
   pair.normal = gap.normal;
   const double slack = gap.distance - pair.keep;

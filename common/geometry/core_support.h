@@ -29,7 +29,8 @@ class CoreSupport {
         const Vec<3> axis = frame_.axis();
         const double along = axis.dot(d);
         const Vec<3> end = t_ + std::copysign(piece_.half.x(), along) * axis;
-        const Vec<3> across = d - along * axis;
+        Vec<3> across = d - along * axis;
+        across -= axis.dot(across) * axis;  // again: what is left may be all rounding
         const double length = across.norm();
         // Along the axis the whole end is farthest; its centre serves every way.
         if (length <= 1e-14 * std::abs(along)) return end;

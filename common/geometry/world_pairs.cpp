@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/geometry/mesh_surface.h"
+#include "common/geometry/tolerances.h"
 #include "common/geometry/world_core.h"
 
 namespace accord {
@@ -135,7 +136,7 @@ void WorldCore<D>::add_disc_pairs(RobotId robot, Work& work) const {
     const Placed<D>& obstacle = fixed_[static_cast<std::size_t>(fixed)];
     const double keep = apart_ + radius + obstacle.piece->radius;
     ++work.distances;
-    const Wanted wanted{keep * (1 + 1e-12), keep, 1e-10, 0};
+    const Wanted wanted{keep + kContactResolution, keep, 1e-10, 0};
     const bool clear = gap(swept, obstacle, wanted, Vec<D>(Vec<D>::Zero())).distance > keep;
     if (clear && !(solids_ && contains(obstacle, swept))) return true;
     work.pairs.push_back(fixed_pair<D>(0, fixed, keep, speed, 0));

@@ -94,8 +94,8 @@ TEST_P(TwoRobots, KeepApartAsLongAsProvedAndNoLonger) {
   }
   // The scenario is worth its name.
   EXPECT_GT(free, scenario.motions / 10);
-  EXPECT_GT(contacts, scenario.motions / 50);
-  EXPECT_GT(at_once + contacts, scenario.motions / 20);
+  EXPECT_GT(contacts, scenario.motions / 100);
+  EXPECT_GT(at_once + contacts, scenario.motions / 30);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -199,11 +199,11 @@ INSTANTIATE_TEST_SUITE_P(
                  [] {
                    return SceneBuilder(false)
                        .clearance(0.01)
-                       .add(odd_arm(), at(-0.3, 0, 0))
-                       .add(odd_arm(), at(0.3, 0.1, 0.2, 0.3, 1.2, 2))
+                       .add(odd_arm(), at(-0.2, 0, 0))
+                       .add(odd_arm(), at(0.2, 0.1, 0.2, 0.3, 1.2, 2))
                        .build();
                  },
-                 3, 0.4, 600, 10}),
+                 3, 0.5, 400, 10}),
     name_of);
 
 // ---- One robot ----
