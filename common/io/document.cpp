@@ -34,8 +34,9 @@ std::string Value::in_words() const {
     case ValueKind::kNull:
       return "nothing";
     case ValueKind::kPlain:
-    case ValueKind::kQuoted:
       return in_quotes(text());
+    case ValueKind::kQuoted:
+      return "the string " + in_quotes(text());
     case ValueKind::kList:
       return "a list of " + std::to_string(size());
     case ValueKind::kMap:

@@ -35,7 +35,8 @@ class Value {
   int line() const;               // from 1
   std::size_t size() const;       // items of a list, entries of a map
 
-  // What it is in words, for messages: `"abc"`, "a list of 3", "a map", "nothing".
+  // What it is in words, for messages: `"abc"`, `the string "abc"`, `a list of 3`,
+  // `a map`, `nothing`.
   std::string in_words() const;
   // Where it is, as in robots[4].goal; empty for the document's root.
   std::string path() const;

@@ -132,12 +132,11 @@ std::optional<double> read_number(const Value& value, Faults& faults) {
 std::optional<double> read_number(const Value& value, Range range, Faults& faults) {
   const auto number = read_number(value, faults);
   if (!number || (*number >= range.min && *number <= range.max)) return number;
-  std::string text = "expected " + range_in_words(range) + ", not " + std::string(value.text());
-  if (range.min > 0 && *number <= 0) {
-    const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
-    text = "must be greater than 0" + unit + ", not " + std::string(value.text());
-  }
-  fault_at(value, text, faults);
+  std::string text = "expected " + range_in_words(range) + ", not ";
+  const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
+  if (range.min > 0 && *number <= 0) text = "must be greater than 0" + unit + ", not ";
+  if (range.min == 0 && *number < 0) text = "must not be less than 0" + unit + ", but is ";
+  fault_at(value, text + std::string(value.text()), faults);
   return std::nullopt;
 }
 

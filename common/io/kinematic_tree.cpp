@@ -1,13 +1,15 @@
 #include "common/io/kinematic_tree.h"
 
+#include <algorithm>
+
 #include "common/io/words.h"
 
 namespace accord {
 
 std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
+                                          const std::vector<Place>& link_places,
                                           const std::vector<Joint>& joints,
-                                          const std::vector<Place>& joint_places,
-                                          const std::string& file, Faults& faults) {
+                                          const std::vector<Place>& joint_places, Faults& faults) {
   const auto name = [&](int link) { return in_quotes(links[static_cast<std::size_t>(link)]); };
   std::vector<int> parent_joint(links.size(), -1);
   bool sound = true;
@@ -26,10 +28,11 @@ std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
     if (parent_joint[static_cast<std::size_t>(link)] < 0) roots.push_back(link);
   }
   if (roots.empty()) {
-    faults.add(file, 0, "robot", "the joints form a cycle: every link is the child of another");
-  } else if (roots.size() > 1) {
-    faults.add(file, 0, "robot", "the links form more than one tree: " + name(roots[0]) + " and " +
-                                     name(roots[1]) + " are both without a parent");
+    faults.add(link_places[0], "the joints form a cycle: every link is the child of another");
+  }
+  for (std::size_t i = 1; i < roots.size(); ++i) {
+    faults.add(link_places[static_cast<std::size_t>(roots[i])],
+               "no joint leads here from " + name(roots[0]) + "; expected one tree of links");
   }
   if (!sound || roots.size() != 1) return std::nullopt;
 
@@ -46,7 +49,11 @@ std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
     }
   }
   if (tree.joints.size() == joints.size()) return tree;
-  faults.add(file, 0, "robot", "the joints form a cycle beside the tree of " + name(roots[0]));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (std::ranges::find(tree.joints, i) != tree.joints.end()) continue;
+    faults.add(joint_places[i], "part of a cycle of joints that does not hang on the root " +
+                                    name(roots[0]));
+  }
   return std::nullopt;
 }
 

@@ -17,10 +17,10 @@ struct KinematicTree {
 };
 
 // Reports links with two parents, several roots, and cycles. Requires: parents and children are
-// indices of links.
+// indices of links; there is at least one link.
 std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
+                                          const std::vector<Place>& link_places,
                                           const std::vector<Joint>& joints,
-                                          const std::vector<Place>& joint_places,
-                                          const std::string& file, Faults& faults);
+                                          const std::vector<Place>& joint_places, Faults& faults);
 
 }  // namespace accord

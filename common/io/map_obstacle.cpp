@@ -76,7 +76,7 @@ Obstacle to_obstacle(const CellBlock& block, const Map& map, const Extent& exten
   const Vec3 high(metres(block.last_column + 1), metres(block.last_row + 1), extent.above);
   Pose placed = pose * map.origin;
   placed.translation() = placed * ((low + high) / 2).eval();
-  return {name + " cells x " + std::to_string(block.first_column) + "-" +
+  return {name + " x " + std::to_string(block.first_column) + "-" +
               std::to_string(block.last_column) + " y " + std::to_string(block.first_row) + "-" +
               std::to_string(block.last_row),
           Box{high - low}, placed};

@@ -58,9 +58,9 @@ std::optional<RobotModel> read_mobile_model(const Value& value, std::string_view
   };
   const Value body_value = *fields.find(kind);
   const auto body = read_body(body_value, kind, context);
-  const auto speed = number("speed", kSpeed, "m/s");
+  const auto speed = number("speed", kSpeed, "a speed in m/s");
   std::optional<double> turn = 0;
-  if (kind == "footprint") turn = number("turn", kTurn, "rad/s");
+  if (kind == "footprint") turn = number("turn", kTurn, "a turning rate in rad/s");
   if (!fits(body_value, kind, context) || !body || !speed || !turn) return std::nullopt;
 
   RobotModel model;

@@ -91,9 +91,9 @@ std::shared_ptr<const RobotModel> read_model(const std::string& name, const Valu
 
 }  // namespace
 
-Models read_models(const Value& map, SceneContext& context) {
+std::optional<Models> read_models(const Value& map, SceneContext& context) {
+  if (!expect_map(map, "a map of models", context.faults)) return std::nullopt;
   Models models;
-  if (!expect_map(map, "a map of models", context.faults)) return models;
   for (auto it = map.begin(); it != map.end(); ++it) {
     const Value key = *it;
     const Value value = *++it;

@@ -74,6 +74,18 @@ class QueryChecker {
            metres(clearance);
   }
 
+  // Obstacles without a name of their own are named after their place in the file: "obstacle 3 (box)".
+  static std::string obstacle_in_words(const std::string& name) {
+    return name.starts_with("obstacle ") ? name : "obstacle " + in_quotes(name);
+  }
+
+  std::string escape_in_words(const Aabb& box) const {
+    const Vec3 excess = (scene_.bounds->min - box.min).cwiseMax(box.max - scene_.bounds->max);
+    const double worst = scene_.planar ? excess.head<2>().maxCoeff() : excess.maxCoeff();
+    if (worst < kQueryMargin) return " would touch the bounds";
+    return " would leave the bounds by " + metres(worst);
+  }
+
   void check_alone(const Side& side, RobotId id) {
     const Configuration& q = configuration(side, id);
     const auto fault = world_.fault(id, q);
@@ -81,12 +93,10 @@ class QueryChecker {
     const std::string body = body_in_words(id, fault->body);
     switch (fault->kind) {
       case Fault::Kind::kBounds:
-        return report(side, id, body + (-fault->gap > kQueryMargin
-                                            ? " would leave the bounds by " + metres(-fault->gap)
-                                            : " would touch the bounds"));
+        return report(side, id, body + escape_in_words(world_.swept_bounds(id, q, q)));
       case Fault::Kind::kObstacle:
-        return report(side, id, body + contact_in_words("obstacle " + in_quotes(fault->other),
-                                                        fault->gap, scene_.clearance));
+        return report(side, id, body + contact_in_words(obstacle_in_words(fault->other), fault->gap,
+                                                        scene_.clearance));
       case Fault::Kind::kSelf:
         return report(side, id,
                       body + contact_in_words("its own link " + in_quotes(fault->other), fault->gap, 0));

@@ -59,7 +59,7 @@ std::optional<Configuration> read_configuration(const Value& value, const RobotM
 
 class RobotsReader {
  public:
-  RobotsReader(const Models& models, SceneContext& context)
+  RobotsReader(const Models* models, SceneContext& context)
       : models_(models), context_(context), faults_(context.faults) {}
 
   std::vector<PlacedRobot> read(const Value& list) {
@@ -105,15 +105,16 @@ class RobotsReader {
     return *name;
   }
 
-  // Null where there is none, or where the model itself is at fault.
+  // Null where there is none, or where the models themselves are at fault.
   std::shared_ptr<const RobotModel> find_model(const Fields& fields) {
     const auto value = fields.require("model", "the name of a model");
     const auto name = value ? read_name(*value, faults_) : std::nullopt;
     if (!name) return nullptr;
-    const auto found = models_.find(*name);
-    if (found != models_.end()) return found->second;
+    if (models_ == nullptr) return nullptr;
+    const auto found = models_->find(*name);
+    if (found != models_->end()) return found->second;
     std::vector<std::string_view> known;
-    for (const auto& [other, model] : models_) known.push_back(other);
+    for (const auto& [other, model] : *models_) known.push_back(other);
     fault_at(*value, "unknown model " + in_quotes(*name) + suggestion(*name, known), faults_);
     return nullptr;
   }
@@ -137,7 +138,7 @@ class RobotsReader {
     return false;
   }
 
-  const Models& models_;
+  const Models* models_;
   SceneContext& context_;
   Faults& faults_;
   std::unordered_map<std::string, int> names_;  // with the line of the first
@@ -146,7 +147,7 @@ class RobotsReader {
 
 }  // namespace
 
-std::vector<PlacedRobot> read_robots(const Value& list, const Models& models,
+std::vector<PlacedRobot> read_robots(const Value& list, const Models* models,
                                      SceneContext& context) {
   if (!expect_list(list, "robots", context.faults)) return {};
   const std::size_t count = list.size();

@@ -18,8 +18,9 @@ struct PlacedRobot {
   Value goal;
 };
 
-// Reads the list `robots`. Those at fault are reported and left out.
-std::vector<PlacedRobot> read_robots(const Value& list, const Models& models,
+// Reads the list `robots`. Those at fault are reported and left out. `models` is null where the
+// scene's models could not be read at all: then nobody is blamed for naming one.
+std::vector<PlacedRobot> read_robots(const Value& list, const Models* models,
                                      SceneContext& context);
 
 // "disk", "footprint", "ball" or "arm".

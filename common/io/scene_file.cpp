@@ -113,12 +113,13 @@ class SceneReader {
   }
 
   std::vector<PlacedRobot> read_fleet(const Fields& fields) {
-    Models models;
-    const auto model_map = fields.require("models", "a map of robot models");
-    if (model_map) models = read_models(*model_map, context_);
+    std::optional<Models> models;
+    if (const auto map = fields.require("models", "a map of robot models")) {
+      models = read_models(*map, context_);
+    }
     const auto list = fields.require("robots", "a list of robots");
-    if (!list || !model_map) return {};
-    std::vector<PlacedRobot> robots = read_robots(*list, models, context_);
+    if (!list) return {};
+    std::vector<PlacedRobot> robots = read_robots(*list, models ? &*models : nullptr, context_);
     for (const PlacedRobot& placed : robots) {
       scene_.robots.push_back(placed.robot);
       if (bounds_given_ || placed.robot.model->kind == RobotKind::kArm) continue;

@@ -24,8 +24,8 @@ std::optional<Shape> read_box(const Value& value, SceneContext& context) {
 std::optional<Shape> read_cylinder(const Value& value, SceneContext& context) {
   if (!expect_map(value, "a map of radius and length", context.faults)) return std::nullopt;
   const Fields fields(value, "a cylinder", {"radius", "length"}, context.faults);
-  const auto radius_value = fields.require("radius", "m");
-  const auto length_value = fields.require("length", "m");
+  const auto radius_value = fields.require("radius", "a radius in m");
+  const auto length_value = fields.require("length", "a length in m");
   const auto radius =
       radius_value ? read_number(*radius_value, kSizeRange, context.faults) : std::nullopt;
   const auto length =

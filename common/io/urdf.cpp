@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "common/io/kinematic_tree.h"
 #include "common/io/limits.h"
@@ -59,6 +60,7 @@ class UrdfParser {
       }
       link.report_misspelt({"inertial", "visual", "collision"});
       links_.push_back(*name);
+      link_places_.push_back(link.place());
       read_bodies(link, *name);
     }
     if (links_.empty() && !faults_.full()) root.fault("expected at least one link");
@@ -93,7 +95,7 @@ class UrdfParser {
       if (joints_.size() >= limits::kLinks) {
         return joint.fault("more than " + std::to_string(limits::kLinks) + " joints");
       }
-      if (!joint_names_.emplace(*name, 0).second) {
+      if (!joint_names_.insert(*name).second) {
         joint.fault("another joint has this name");
         continue;
       }
@@ -169,7 +171,7 @@ class UrdfParser {
 
   // Brings links and joints into the model's order; reports what is no tree.
   void arrange() {
-    const auto tree = arrange_tree(links_, joints_, joint_places_, file_, faults_);
+    const auto tree = arrange_tree(links_, link_places_, joints_, joint_places_, faults_);
     if (!tree) return;
     for (const int link : tree->links) {
       out_.model.links.push_back(links_[static_cast<std::size_t>(link)]);
@@ -204,10 +206,11 @@ class UrdfParser {
   Faults& faults_;
   UrdfModel out_;
   std::vector<std::string> links_;
+  std::vector<Place> link_places_;
   std::unordered_map<std::string, int> link_index_;
   std::vector<Joint> joints_;
   std::vector<Place> joint_places_;
-  std::unordered_map<std::string, int> joint_names_;
+  std::unordered_set<std::string> joint_names_;
 };
 
 }  // namespace

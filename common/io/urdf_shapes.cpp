@@ -27,13 +27,13 @@ tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference,
   const std::string_view rest =
       slash == std::string_view::npos ? std::string_view() : in_package.substr(slash + 1);
   const auto here = resolve(rest, folder);
-  const auto above = resolve(rest, folder / "..");
-  if (!here) return here;
+  const auto above = resolve(rest, (folder / "..").lexically_normal());
+  if (!here || !above) return here;
   std::error_code error;
   if (fs::is_regular_file(*here, error)) return here;
   if (fs::is_regular_file(*above, error)) return above;
-  return tl::unexpected("cannot find " + in_quotes(reference) + ": neither " + in_quotes(here->string()) +
-                        " nor " + in_quotes(above->string()) + " is a file");
+  return tl::unexpected("cannot find " + in_quotes(reference) + "; looked for " + in_quotes(rest) +
+                        " in this file's folder and in the one above");
 }
 
 std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder,

@@ -1,6 +1,7 @@
 #include "common/io/xml_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -37,7 +38,6 @@ bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocu
   }
   if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return true;
   std::string reason = document.ErrorName();
-  if (reason.starts_with("XML_ERROR_")) reason = reason.substr(10);
   if (reason.starts_with("XML_")) reason = reason.substr(4);
   std::ranges::transform(reason, reason.begin(), [](unsigned char c) {
     return c == '_' ? ' ' : static_cast<char>(std::tolower(c));

@@ -45,7 +45,7 @@ class Builder : public YAML::EventHandler {
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse(mark, "aliases (*name) are not supported; write the value out");
+    refuse(mark, "aliases (*name) are not supported; write values out");
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -83,7 +83,7 @@ class Builder : public YAML::EventHandler {
   }
 
   void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
-    if (anchor != YAML::NullAnchor) refuse(mark, "anchors (&name) are not supported");
+    if (anchor != YAML::NullAnchor) refuse(mark, "anchors (&name) are not supported; write values out");
     if (!tag.empty() && tag != "?" && tag != "!") {
       refuse(mark, "the tag " + in_quotes(tag) + " is not supported; expected plain values");
     }
