@@ -72,7 +72,7 @@ ExitCode run(const CommandOptions& options) {
   std::optional<Verdict> verdict;
   if (plan.status == PlanStatus::kSolved) verdict = prove(scene, plan, options.plan.workers);
 
-  const std::string json = plan_to_json(plan);
+  const std::string json = to_json(plan);
   if (!options.output.empty() && !write_file_or_explain(options.output, json)) {
     return ExitCode::kBadInput;
   }

@@ -41,13 +41,13 @@ TEST(Verifier, ProvesACorrectPlanAndSaysHowCloseItComes) {
 TEST(Verifier, FindsTheClosestApproachOfDiscsInClosedForm) {
   const auto scene = hall();
   scene->robots[1].goal = {-2, 3.25};  // 0.75 m below left's way, and there after it
-  Plan plan = plan_of(*scene, {path({{0, {-4, 4}}, {8, {0, 4}}, {12, {4, 4}}}),
+  Plan plan = plan_of(*scene, {path({{0, {-4, 4}}, {20, {0, 4}}, {24, {4, 4}}}),
                                path({{0, {-2, -4}}, {7.25, {-2, 3.25}}})});
   const Verdict verdict = verify(scene, plan);
   ASSERT_TRUE(verdict.proved()) << words(verdict);
   ASSERT_TRUE(verdict.robots);
   double least = 10;  // the same by brute force
-  for (int i = 0; i <= 120000; ++i) {
+  for (int i = 0; i <= 240000; ++i) {
     const double t = i * 1e-4;
     const Configuration a = plan.robots[0].trajectory.at(t);
     const Configuration b = plan.robots[1].trajectory.at(t);
