@@ -10,9 +10,11 @@ target_compile_options(accord_options INTERFACE
   -ffp-contract=off)
 target_include_directories(accord_options INTERFACE ${PROJECT_SOURCE_DIR})
 
-# GCC 12 sees null dereferences and stray reads in its own library under -O3 and the sanitizers.
+# GCC 12 sees null dereferences, stray reads and overlaps in its own library under -O3 and the
+# sanitizers.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(accord_options INTERFACE -Wno-null-dereference -Wno-maybe-uninitialized)
+  target_compile_options(accord_options INTERFACE -Wno-null-dereference -Wno-maybe-uninitialized
+                         -Wno-restrict)
 endif()
 if(ACCORD_ASSERTS)
   target_compile_options(accord_options INTERFACE -UNDEBUG)

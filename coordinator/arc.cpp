@@ -56,7 +56,7 @@ ArcOutcome Arc::run() {
         board.update(changed, job.subproblem.from);
         statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
         ++statistics_.conflicts_resolved;
-      } else if (!adapt(job)) {
+      } else if (!adapt(job, board)) {
         return infeasible(job);
       }
     }
@@ -166,7 +166,7 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto hit = earliest_contact(planning_, tasks[i].robot, resolution.paths[i],
                                         outsider.robot, outsider.path, job.subproblem.from,
-                                        std::min(first, resolution.end));
+                                        std::min({first, resolution.end, job.subproblem.horizon}));
       if (hit) first = std::min(first, *hit);
     }
     if (first < std::numeric_limits<double>::infinity()) hits.emplace_back(first, outsider.robot);
@@ -177,24 +177,39 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
   return robots;
 }
 
-// False when nothing is left to grow.
-bool Arc::adapt(const Job& job) {
+// Robots outside the team that are in conflict with one of it in the window: their paths have to
+// change in any case. Earliest first.
+std::vector<RobotId> Arc::entangled_with(const Job& job, const ConflictBoard& board) const {
+  std::set<RobotId> team;
+  for (const Task& task : job.subproblem.tasks) team.insert(task.robot);
+  std::vector<RobotId> robots;
+  for (const Conflict& conflict : board.conflicts()) {
+    if (conflict.time > job.subproblem.to) break;
+    const bool first = team.contains(conflict.first), second = team.contains(conflict.second);
+    if (first != second) robots.push_back(first ? conflict.second : conflict.first);
+  }
+  return robots;
+}
+
+// AdaptSubProblem: takes in robots that are entangled with the team, else doubles the window, now
+// and then takes in those that stand in the way. False when nothing is left to grow.
+bool Arc::adapt(const Job& job, const ConflictBoard& board) {
   Growth& growth = growth_[{job.conflict.first, job.conflict.second}];
   ++growth.attempts;
-  const bool can_take_in = !job.in_the_way.empty() || (job.subproblem.whole &&
-                                                       !job.subproblem.outsiders.empty());
-  if (can_take_in && (job.subproblem.whole || growth.attempts % kWindowsPerTeam == 0)) {
-    std::vector<RobotId> candidates = job.in_the_way;
-    for (const Outsider& outsider : job.subproblem.outsiders) candidates.push_back(outsider.robot);
-    std::size_t taken = 0;
-    for (const RobotId robot : candidates) {
-      if (taken == kTakenInAtOnce) break;
-      if (growth.taken_in.insert(robot).second) ++taken;
-    }
-    statistics_.robots_taken_in += taken;
-    growth.window = growth.window > 1 ? growth.window - 1 : growth.window;
-    return true;
+  std::vector<RobotId> candidates = entangled_with(job, board);
+  if (job.subproblem.whole || growth.attempts % kWindowsPerTeam == 0) {
+    candidates.insert(candidates.end(), job.in_the_way.begin(), job.in_the_way.end());
   }
+  if (job.subproblem.whole) {
+    for (const Outsider& outsider : job.subproblem.outsiders) candidates.push_back(outsider.robot);
+  }
+  std::size_t taken = 0;
+  for (const RobotId robot : candidates) {
+    if (taken == kTakenInAtOnce) break;
+    if (growth.taken_in.insert(robot).second) ++taken;
+  }
+  statistics_.robots_taken_in += taken;
+  if (taken > 0) return true;
   if (job.subproblem.whole) return false;
   ++growth.window;
   ++statistics_.windows_grown;

@@ -74,7 +74,8 @@ class Arc {
   void solve(std::vector<Job>& jobs);
   void find_robots_in_the_way(std::vector<Job>& jobs);
   std::vector<RobotId> hit_by(const Job& job, const Resolution& resolution) const;
-  bool adapt(const Job& job);
+  std::vector<RobotId> entangled_with(const Job& job, const ConflictBoard& board) const;
+  bool adapt(const Job& job, const ConflictBoard& board);
   void record(const Job& job);
   void report(Progress::Phase phase);
   ArcOutcome stopped() const;

@@ -43,11 +43,10 @@ ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedu
 
 void ConflictBoard::update(const std::vector<RobotId>& changed, double from) {
   const auto is_changed = [&](RobotId robot) { return std::ranges::count(changed, robot) > 0; };
-  if (changed.size() < schedule_.size()) {
-    std::erase_if(conflicts_, [&](const auto& entry) {
-      return entry.second >= from && (is_changed(entry.first.first) || is_changed(entry.first.second));
-    });
-  }
+  std::erase_if(conflicts_, [&](const auto& entry) {
+    const auto& [pair, time] = entry;
+    return time >= from && (is_changed(pair.first) || is_changed(pair.second));
+  });
   for (const RobotId robot : changed) grid_.place(robot, schedule_.path(robot), from);
   scanned_.assign(schedule_.size(), 0);
   for (const RobotId robot : changed) {

@@ -7,6 +7,7 @@
 
 #include "common/planning/random.h"
 #include "common/planning/region.h"
+#include "common/planning/splice.h"
 
 namespace accord {
 namespace {
@@ -18,8 +19,10 @@ constexpr double kArmOwnMotion = 0.5;  // rad or m
 // The first region reaches this many body sizes beyond the guide.
 constexpr double kRegionMargin = 2.0;
 constexpr double kArmRegionMargin = 0.6;  // rad or m
-// Robots may leave the window later than planned by this many windows.
-constexpr double kPatience = 3.0;
+// Outsiders are avoided for this many windows past the window's end. Their paths that far ahead are
+// going to change; a subproblem that respects all of them until the end of time often has no
+// solution where one that looks ahead a little has.
+constexpr double kForesight = 0.5;
 // Cutting closer to a waypoint than this would leave a sliver of a motion.
 constexpr double kSliver = 1e-5;  // s
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -61,9 +64,9 @@ Subproblem SubproblemFactory::create_initial(RobotId id) const {
   const Robot& robot = world_.scene().robot(id);
   Subproblem out;
   out.seed = combine({seed_, id.value});
-  out.latest = kInfinity;
+  out.horizon = kInfinity;
   out.whole = true;
-  out.tasks.push_back({id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}});
+  out.tasks.push_back({id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}, {}});
   return out;
 }
 
@@ -111,7 +114,7 @@ void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growt
   };
   while (out.to < end && !clear_at(out.to)) out.to = std::min(out.to + 0.5 * unit, end);
   if (out.to < end) out.to = away_from_slivers(out.to, robots, schedule);
-  out.latest = out.to + kPatience * (out.to - out.from) + 2 * half;
+  out.horizon = out.to + kForesight * (out.to - out.from);
   out.whole = out.from == 0 && out.to >= end;
 }
 
@@ -131,6 +134,14 @@ Task SubproblemFactory::make_task(RobotId robot, const Growth& growth, const Sch
     }
   }
   if (window.to > window.from) task.guide.append(window.to, task.goal);
+  task.tail = Trajectory(path.dof());
+  task.tail.append(window.to, task.goal);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.time(i) > window.to + kSameInstant) {
+      task.tail.append(path.time(i), path.configuration(i));
+      if (path.time(i) > window.horizon) break;
+    }
+  }
   task.region = window.whole ? whole_region(world_.scene(), robot)
                              : region(robot, task.guide, growth.window);
   return task;
@@ -186,7 +197,7 @@ void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBo
   std::set<RobotId> near;
   std::vector<RobotId> found;
   for (const Task& task : out.tasks) {
-    board.grid().within(workspace(task.robot, task.region), out.from, out.latest, found);
+    board.grid().within(workspace(task.robot, task.region), out.from, out.horizon, found);
     near.insert(found.begin(), found.end());
   }
   for (const Task& task : out.tasks) near.erase(task.robot);

@@ -5,6 +5,7 @@
 
 #include "common/planning/random.h"
 #include "common/planning/region.h"
+#include "worker/continuation.h"
 #include "worker/decoupled_roadmaps.h"
 #include "worker/local_roadmap.h"
 #include "worker/path_shortening.h"
@@ -28,14 +29,11 @@ constexpr std::size_t kWholeFactor = 20;
 class CompositeRoadmap {
  public:
   CompositeRoadmap(const CollisionWorld& world, const Subproblem& subproblem)
-      : subproblem_(subproblem), team_(world, members(subproblem), subproblem.from,
-                                       subproblem.latest),
+      : subproblem_(subproblem), team_(world, members(subproblem), subproblem.from),
         places_(world, subproblem), roadmap_(team_),
         evolution_(subproblem.limits.composite_window_per_dof * team_.dof()),
         random_(combine({subproblem.seed, 0x636f6d70})) {
-    for (const Outsider& outsider : subproblem.outsiders) {
-      team_.avoid(outsider.robot, outsider.path);
-    }
+    team_.avoid_outsiders(subproblem);
   }
 
   Resolution solve(const CollisionWorld& world, const std::atomic<bool>& stop) {
@@ -83,16 +81,20 @@ class CompositeRoadmap {
   }
 
   bool search(Resolution& resolution) {
-    const SearchRequest request{kStart, kGoal, subproblem_.from, subproblem_.from,
-                                subproblem_.latest, subproblem_.limits.query_expansions};
+    double hold = subproblem_.from;
+    for (const Task& task : subproblem_.tasks) {
+      hold = std::max(hold, hold_until(subproblem_, task));
+    }
+    const SearchRequest request{kStart, kGoal, subproblem_.from, hold,
+                                subproblem_.limits.query_expansions};
     ++resolution.effort.searches;
     auto found = safe_interval_search(team_, roadmap_, request, resolution.effort.expansions);
     if (!found) return false;
     shorten(team_, request, *found, resolution.effort);
     resolution.solved = true;
-    resolution.end = found->path.end_time();
+    resolution.end = found->end_time();
     resolution.paths.clear();
-    for (std::size_t i = 0; i < team_.size(); ++i) resolution.paths.push_back(part(found->path, i));
+    for (std::size_t i = 0; i < team_.size(); ++i) resolution.paths.push_back(part(*found, i));
     return true;
   }
 

@@ -15,7 +15,7 @@ constexpr std::size_t kGuidePoints = 9;
 // Tries a sample is worth: regions are mostly free, and where they are not, coupling is cheaper.
 constexpr std::size_t kTriesPerSample = 10;
 
-Team alone(const CollisionWorld& world, RobotId robot) { return Team(world, {robot}, 0, 0); }
+Team alone(const CollisionWorld& world, RobotId robot) { return Team(world, {robot}, 0); }
 
 }  // namespace
 

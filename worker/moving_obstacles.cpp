@@ -22,9 +22,8 @@ void interpolate(ConfigurationView a, ConfigurationView b, double s, Configurati
   for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + s * (b[k] - a[k]);
 }
 
-// The complement of `unsafe` in [from, latest]. Sorts its input.
-void complement(std::vector<Interval>& unsafe, double from, double latest,
-                std::vector<Interval>& out) {
+// The complement of `unsafe` from `from` on. Sorts its input.
+void complement(std::vector<Interval>& unsafe, double from, std::vector<Interval>& out) {
   out.clear();
   std::ranges::sort(unsafe, {}, &Interval::lo);
   double safe_from = from;
@@ -32,27 +31,26 @@ void complement(std::vector<Interval>& unsafe, double from, double latest,
     if (interval.lo > safe_from + kShortestInterval) out.push_back({safe_from, interval.lo});
     safe_from = std::max(safe_from, interval.hi);
   }
-  if (safe_from <= latest && safe_from < kInfinity) out.push_back({safe_from, latest});
+  if (safe_from < kInfinity) out.push_back({safe_from, kInfinity});
 }
 
 }  // namespace
 
-MovingObstacles::MovingObstacles(const CollisionWorld& world, RobotId robot, double from,
-                                 double latest)
-    : world_(world), robot_(robot), from_(from), latest_(latest) {}
+MovingObstacles::MovingObstacles(const CollisionWorld& world, RobotId robot, double from)
+    : world_(world), robot_(robot), from_(from) {}
 
-void MovingObstacles::add(RobotId other, const Trajectory& path) {
+void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
   const auto mine = world_.radius(robot_), theirs = world_.radius(other);
   if (mine && theirs) {
-    add_points(other, path, *mine + *theirs + world_.required_separation());
+    add_points(path, *mine + *theirs + world_.required_separation(), until);
     return;
   }
   const Vec3 room = Vec3::Constant(world_.required_separation());
-  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) <= latest_; ++i) {
+  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) < until; ++i) {
     const bool last = i + 1 == path.size();
     const ConfigurationView from = path.configuration(i);
     const ConfigurationView to = last ? from : path.configuration(i + 1);
-    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), {}, {}, {}};
+    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), until, {}, {}, {}};
     if (i == 0) piece.t0 = std::min(piece.t0, from_);
     piece.from.assign(from.begin(), from.end());
     piece.to.assign(to.begin(), to.end());
@@ -63,15 +61,15 @@ void MovingObstacles::add(RobotId other, const Trajectory& path) {
   }
 }
 
-void MovingObstacles::add_points(RobotId /*other*/, const Trajectory& path, double distance) {
-  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) <= latest_; ++i) {
+void MovingObstacles::add_points(const Trajectory& path, double distance, double until) {
+  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) < until; ++i) {
     const bool last = i + 1 == path.size();
-    PointPiece piece{path.time(i),       kInfinity, to_point(path.configuration(i)),
-                     Vec3::Zero(), distance,  distance * distance};
+    PointPiece piece{path.time(i), until,    to_point(path.configuration(i)),
+                     Vec3::Zero(), distance, distance * distance};
     if (!last) {
-      piece.t1 = path.time(i + 1);
       piece.velocity =
-          (to_point(path.configuration(i + 1)) - piece.position) / (piece.t1 - piece.t0);
+          (to_point(path.configuration(i + 1)) - piece.position) / (path.time(i + 1) - piece.t0);
+      piece.t1 = std::min(until, path.time(i + 1));
     }
     points_.push_back(piece);
   }
@@ -81,7 +79,7 @@ void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>&
   unsafe_.clear();
   if (!points_.empty()) point_unsafe(q, unsafe_);
   if (!pieces_.empty()) piece_unsafe(q, unsafe_);
-  complement(unsafe_, from_, latest_, out);
+  complement(unsafe_, from_, out);
 }
 
 // |p + v s - q| < d for s in the roots of a quadratic.
@@ -112,12 +110,12 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
     if (!piece.bounds.overlaps(here)) continue;
     if (std::isinf(piece.t1)) {
       if (!world_.are_clear(robot_, q, piece.robot, piece.from)) {
-        unsafe.push_back({piece.t0, kInfinity});
+        unsafe.push_back({piece.t0, piece.until});
       }
       continue;
     }
     double t = std::max(piece.t0, from_);
-    const double end = std::min(piece.t1, latest_);
+    const double end = std::min(piece.t1, piece.until);
     while (t < end) {
       const auto touch = contact(piece, q, q, t, end);
       if (!touch) break;
@@ -137,7 +135,7 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
 
 std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
                                                ConfigurationView b, double t0, double t1) {
-  const double lo = std::max(t0, piece.t0), hi = std::min(t1, piece.t1);
+  const double lo = std::max(t0, piece.t0), hi = std::min({t1, piece.t1, piece.until});
   if (lo >= hi) return std::nullopt;
   const double span = t1 - t0;
   interpolate(a, b, (lo - t0) / span, mine_from_);
@@ -192,7 +190,8 @@ bool MovingObstacles::pieces_clear(ConfigurationView a, ConfigurationView b, dou
   if (pieces_.empty()) return true;
   const Aabb bounds = world_.swept_bounds(robot_, a, b);
   for (const Piece& piece : pieces_) {
-    if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
+    if (piece.t0 >= t + duration || std::min(piece.t1, piece.until) <= t ||
+        !piece.bounds.overlaps(bounds)) continue;
     if (contact(piece, a, b, t, t + duration)) return false;
   }
   return true;

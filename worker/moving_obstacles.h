@@ -21,14 +21,15 @@ struct Interval {
 
 class MovingObstacles {
  public:
-  // For `robot`, between the instants `from` and `latest` (s, may be infinite).
-  MovingObstacles(const CollisionWorld& world, RobotId robot, double from, double latest);
+  // For `robot`, from the instant `from` (s) on.
+  MovingObstacles(const CollisionWorld& world, RobotId robot, double from);
 
-  // Adds another robot; it parks at its path's ends. Copies what it needs.
-  void add(RobotId other, const Trajectory& path);
+  // Adds another robot, to be avoided until `until` (s, may be infinite); it parks at its path's
+  // ends. Copies what it needs.
+  void add(RobotId other, const Trajectory& path, double until);
   bool empty() const { return points_.empty() && pieces_.empty(); }
 
-  // The times in [from, latest] at which resting at q is free, in order, disjoint. Empty: never.
+  // The times from `from` on at which resting at q is free, in order, disjoint. Empty: never.
   void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
 
   // The earliest departure in [lo, hi] from which the linear motion from a to b, taking `duration`
@@ -52,12 +53,13 @@ class MovingObstacles {
   // Any robot on a linear motion.
   struct Piece {
     RobotId robot;
-    double t0, t1;
+    double t0, t1;  // t1 infinite: parked
+    double until;   // avoided no longer than that
     Configuration from, to;
     Aabb bounds;  // inflated by what must be kept
   };
 
-  void add_points(RobotId other, const Trajectory& path, double distance);
+  void add_points(const Trajectory& path, double distance, double until);
   void point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const;
   void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
   double point_next_departure(const Vec3& a, const Vec3& velocity, double duration, double t) const;
@@ -69,7 +71,6 @@ class MovingObstacles {
   const CollisionWorld& world_;
   RobotId robot_;
   double from_;
-  double latest_;
   std::vector<PointPiece> points_;
   std::vector<Piece> pieces_;
   std::vector<Interval> unsafe_;  // scratch

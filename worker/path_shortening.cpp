@@ -29,9 +29,8 @@ std::vector<Configuration> places_of(const Team& team, const Trajectory& path) {
 
 }  // namespace
 
-void shorten(Team& team, const SearchRequest& request, SearchResult& result, Effort& effort) {
+void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort& effort) {
   for (int round = 0; round < kRounds; ++round) {
-    const Trajectory& path = result.path;
     if (path.size() < 3) return;  // one motion, at once
     const std::vector<Configuration> places = places_of(team, path);
     if (places.size() < 3 || places.size() > kMostPlaces) return;
@@ -48,8 +47,8 @@ void shorten(Team& team, const SearchRequest& request, SearchResult& result, Eff
     ++effort.searches;
     auto found = safe_interval_search(team, roadmap, again, effort.expansions);
     effort.motion_checks += roadmap.motion_checks();
-    if (!found || found->path.end_time() >= path.end_time() - 1e-6) return;
-    result = std::move(*found);
+    if (!found || found->end_time() >= path.end_time() - 1e-6) return;
+    path = std::move(*found);
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace accord {
 
-// Replaces `result` where the new search arrives earlier. Never makes it worse. The request is the
-// one that the result answers; only its times are used.
-void shorten(Team& team, const SearchRequest& request, SearchResult& result, Effort& effort);
+// Replaces `path` where the new search arrives earlier. Never makes it worse. The request is the
+// one that the path answers; only its times are used.
+void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort& effort);
 
 }  // namespace accord

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <set>
 
+#include "common/planning/conflict.h"
 #include "common/planning/random.h"
+#include "worker/continuation.h"
 #include "worker/path_shortening.h"
 #include "worker/safe_interval_search.h"
 
@@ -13,25 +16,10 @@ namespace {
 
 using Order = std::vector<std::size_t>;
 
-// All orders of up to three robots; of more, the given one, its reverse, and seeded shuffles.
-std::vector<Order> priority_orders(std::size_t robots, std::size_t limit, std::uint64_t seed) {
+Order in_given_order(std::size_t robots) {
   Order order(robots);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<Order> orders;
-  if (robots <= 3) {
-    do {
-      orders.push_back(order);
-    } while (std::ranges::next_permutation(order).found && orders.size() < limit);
-    return orders;
-  }
-  orders.push_back(order);
-  orders.emplace_back(order.rbegin(), order.rend());
-  RandomStream random(combine({seed, 0x6f72646572}));
-  while (orders.size() < limit) {
-    for (std::size_t i = robots - 1; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
-    orders.push_back(order);
-  }
-  return orders;
+  return order;
 }
 
 class PrioritizedSearch {
@@ -40,53 +28,53 @@ class PrioritizedSearch {
                     DecoupledRoadmaps& roadmaps)
       : world_(world), subproblem_(subproblem), roadmaps_(roadmaps) {}
 
-  // Later robots may arrive after earlier ones, which then have to stay at their goals for longer
-  // than they knew: plan again with what was learnt.
-  bool plan(const Order& order, Resolution& out) {
-    double hold_until = subproblem_.from;
-    for (int attempt = 0; attempt < 3; ++attempt) {
-      if (!plan_once(order, hold_until, out)) return false;
-      if (free_until_ >= out.end) return true;
-      hold_until = out.end;
-    }
-    return false;
-  }
+  // Whether the tails that the last plan leads to are free of each other as far as the horizon.
+  bool clean() const { return clean_; }
+  // The place in the order of the robot that the last failed attempt had no way for.
+  std::size_t stuck() const { return stuck_; }
 
- private:
-  bool plan_once(const Order& order, double hold_until, Resolution& out) {
+  bool plan(const Order& order, Resolution& out) {
     out.paths.assign(subproblem_.tasks.size(), Trajectory());
-    out.end = hold_until;
-    free_until_ = std::numeric_limits<double>::infinity();
+    out.end = subproblem_.from;
+    clean_ = true;
+    std::vector<Trajectory> onwards(order.size());  // by rank: paths with their tails
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
-      const std::size_t i = order[rank];
-      const RobotId robot = subproblem_.tasks[i].robot;
-      Team team(world_, {robot}, subproblem_.from, subproblem_.latest);
-      for (const Outsider& outsider : subproblem_.outsiders) {
-        team.avoid(outsider.robot, outsider.path);
-      }
+      const Task& task = subproblem_.tasks[order[rank]];
+      Team team(world_, {task.robot}, subproblem_.from);
+      team.avoid_outsiders(subproblem_);
       for (std::size_t before = 0; before < rank; ++before) {
-        const std::size_t j = order[before];
-        team.avoid(subproblem_.tasks[j].robot, out.paths[j]);
+        team.avoid(subproblem_.tasks[order[before]].robot, onwards[before]);
       }
       const SearchRequest request{DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal,
-                                  subproblem_.from, out.end, subproblem_.latest,
+                                  subproblem_.from, hold_until(subproblem_, task),
                                   subproblem_.limits.query_expansions};
       ++out.effort.searches;
-      auto found = safe_interval_search(team, roadmaps_.of(i), request, out.effort.expansions);
-      if (!found) return false;
+      auto found = safe_interval_search(team, roadmaps_.of(order[rank]), request,
+                                        out.effort.expansions);
+      if (!found) {
+        stuck_ = rank;
+        return false;
+      }
       shorten(team, request, *found, out.effort);
-      out.end = std::max(out.end, found->path.end_time());
-      free_until_ = std::min(free_until_, found->free_until);
-      out.paths[i] = std::move(found->path);
+      out.end = std::max(out.end, found->end_time());
+      onwards[rank] = with_tail(world_, subproblem_, task, *found);
+      for (std::size_t before = 0; before < rank && clean_; ++before) {
+        clean_ = !earliest_contact(world_, task.robot, onwards[rank],
+                                   subproblem_.tasks[order[before]].robot, onwards[before],
+                                   subproblem_.from, subproblem_.horizon);
+      }
+      out.paths[order[rank]] = std::move(*found);
     }
     out.solved = true;
     return true;
   }
 
+ private:
   const CollisionWorld& world_;
   const Subproblem& subproblem_;
   DecoupledRoadmaps& roadmaps_;
-  double free_until_ = 0;
+  std::size_t stuck_ = 0;
+  bool clean_ = true;
 };
 
 double sum_of_arrivals(const Resolution& resolution) {
@@ -95,29 +83,64 @@ double sum_of_arrivals(const Resolution& resolution) {
   return sum;
 }
 
+// Every order of two robots: which goes first often matters more than anything else.
+Resolution best_of_all_orders(PrioritizedSearch& search, Order order, Effort& effort) {
+  Resolution best;
+  bool best_is_clean = false;
+  do {
+    Resolution found;
+    const bool solved = search.plan(order, found);
+    effort += found.effort;
+    if (!solved || (best_is_clean && !search.clean())) continue;
+    if (!best.solved || search.clean() > best_is_clean ||
+        sum_of_arrivals(found) < sum_of_arrivals(best)) {
+      best = std::move(found);
+      best_is_clean = search.clean();
+    }
+  } while (std::ranges::next_permutation(order).found);
+  return best;
+}
+
+// Larger teams: who finds no way goes first the next time; where that has been tried, a seeded
+// shuffle. The first order that works has to do.
+Resolution first_order_that_works(PrioritizedSearch& search, Order order,
+                                  const Subproblem& subproblem, const std::atomic<bool>& stop,
+                                  Effort& effort) {
+  RandomStream random(combine({subproblem.seed, 0x6f72646572}));
+  std::set<Order> tried;
+  const std::size_t most = subproblem.limits.priority_orders + 2 * order.size();
+  while (tried.size() < most && !stop) {
+    tried.insert(order);
+    Resolution found;
+    const bool solved = search.plan(order, found);
+    effort += found.effort;
+    if (solved) return found;
+    const auto begin = order.begin();
+    const auto stuck = begin + static_cast<std::ptrdiff_t>(search.stuck());
+    std::rotate(begin, stuck, stuck + 1);
+    for (std::size_t tries = 0; tried.contains(order) && tries < most; ++tries) {
+      for (std::size_t i = order.size() - 1; i > 0; --i) {
+        std::swap(order[i], order[random.below(i + 1)]);
+      }
+    }
+    if (tried.contains(order)) break;
+  }
+  return {};
+}
+
 }  // namespace
 
 Resolution prioritized_search(const CollisionWorld& world, const Subproblem& subproblem,
                               DecoupledRoadmaps& roadmaps, const std::atomic<bool>& stop) {
   const std::size_t robots = subproblem.tasks.size();
   PrioritizedSearch search(world, subproblem, roadmaps);
-  Resolution best;
   Effort effort;
-  for (const Order& order :
-       priority_orders(robots, subproblem.limits.priority_orders, subproblem.seed)) {
-    if (stop) break;
-    Resolution found;
-    const bool solved = search.plan(order, found);
-    effort += found.effort;
-    if (!solved) continue;
-    if (!best.solved || found.end < best.end ||
-        (found.end == best.end && sum_of_arrivals(found) < sum_of_arrivals(best))) {
-      best = std::move(found);
-    }
-    if (robots > 2) break;  // with many orders the first that works has to do
-  }
+  Resolution best = robots <= 2
+                        ? best_of_all_orders(search, in_given_order(robots), effort)
+                        : first_order_that_works(search, in_given_order(robots), subproblem, stop,
+                                                 effort);
   best.effort = effort;
-  best.effort.motion_checks = roadmaps.motion_checks();
+  best.effort.motion_checks += roadmaps.motion_checks();
   return best;
 }
 

@@ -10,9 +10,9 @@
 
 namespace accord {
 
-// The best resolution over the orders that subproblem.limits allows: the one in which all have
-// arrived first, then the least sum of arrivals. Local paths are shortened before they are
-// returned. Not solved when no order works.
+// Of two robots the order with the least sum of arrivals, of more the first that works, within what
+// subproblem.limits allows. Local paths are shortened before they are returned. Not solved when no
+// order works.
 Resolution prioritized_search(const CollisionWorld& world, const Subproblem& subproblem,
                               DecoupledRoadmaps& roadmaps, const std::atomic<bool>& stop);
 

@@ -40,14 +40,14 @@ class Search {
       : team_(team), roadmap_(roadmap), request_(request), first_(roadmap.size(), kNone),
         count_(roadmap.size(), 0), bounds_(roadmap.size(), -1) {}
 
-  std::optional<SearchResult> run(std::uint64_t& expanded) {
+  std::optional<Trajectory> run(std::uint64_t& expanded) {
     open_start();
     for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty();) {
       const std::uint32_t id = open_.top().state;
       open_.pop();
       if (states_[id].closed) continue;
       states_[id].closed = true;
-      if (is_goal(states_[id])) return SearchResult{trace(id), states_[id].interval.hi};
+      if (is_goal(states_[id])) return trace(id);
       ++expanded;
       --budget;
       expand(id);
@@ -91,8 +91,6 @@ class Search {
 
   void expand(std::uint32_t id) {
     for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
-      const double arrival = states_[id].arrival + edge.duration;
-      if (arrival + least_time_to_goal(edge.to) > request_.latest) continue;
       load_states(edge.to);
       for (std::uint32_t i = 0; i < count_[edge.to]; ++i) relax(id, edge, first_[edge.to] + i);
     }
@@ -115,7 +113,7 @@ class Search {
     const double arrival = *departure + edge.duration;
     const double bound = arrival + least_time_to_goal(edge.to);
     State& to = states_[to_id];
-    if (arrival >= to.arrival || bound > request_.latest) return;
+    if (arrival >= to.arrival) return;
     to.arrival = arrival;
     to.departure = *departure;
     to.parent = from_id;
@@ -156,9 +154,9 @@ class Search {
 
 }  // namespace
 
-std::optional<SearchResult> safe_interval_search(Team& team, LocalRoadmap& roadmap,
-                                                 const SearchRequest& request,
-                                                 std::uint64_t& expanded) {
+std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
+                                               const SearchRequest& request,
+                                               std::uint64_t& expanded) {
   return Search(team, roadmap, request).run(expanded);
 }
 

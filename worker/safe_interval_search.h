@@ -17,19 +17,13 @@ struct SearchRequest {
   LocalRoadmap::Node goal;
   double from;             // s: at the start
   double hold_until;       // s: the goal must stay free until then (or the arrival, if later)
-  double latest;           // s: arrive by then
   std::size_t expansions;  // gives up after so many
 };
 
-struct SearchResult {
-  Trajectory path;       // of the team; from `from` to the arrival, waits written out
-  double free_until;     // s: resting at the goal stays free until then
-};
-
-// nullopt: the roadmap holds no such path, or the expansions ran out. Proves edges as it needs
+// The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such path, or the expansions ran out. Proves edges as it needs
 // them. `expanded` is increased by the states expanded.
-std::optional<SearchResult> safe_interval_search(Team& team, LocalRoadmap& roadmap,
-                                                 const SearchRequest& request,
-                                                 std::uint64_t& expanded);
+std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
+                                               const SearchRequest& request,
+                                               std::uint64_t& expanded);
 
 }  // namespace accord

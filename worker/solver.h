@@ -18,7 +18,7 @@ class Solver {
   virtual ~Solver() = default;
 
   // A resolution whose local paths are free, at every instant, of obstacles, of each other and of
-  // the outsiders (within the window and until they leave it together); or one that is not solved.
+  // the outsiders (until all leave the window together, or the horizon); or one that is not solved.
   // Depends on the subproblem alone, unless `stop` becomes true, which ends the attempt unsolved
   // soon. Requires: the subproblem is of the world's scene. Thread safe.
   Resolution solve(const CollisionWorld& world, const Subproblem& subproblem,

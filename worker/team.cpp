@@ -19,7 +19,7 @@ void intersect(const std::vector<Interval>& a, const std::vector<Interval>& b,
 
 }  // namespace
 
-Team::Team(const CollisionWorld& world, std::vector<RobotId> members, double from, double latest)
+Team::Team(const CollisionWorld& world, std::vector<RobotId> members, double from)
     : world_(world), members_(std::move(members)) {
   offsets_.push_back(0);
   for (const RobotId member : members_) {
@@ -28,14 +28,20 @@ Team::Team(const CollisionWorld& world, std::vector<RobotId> members, double fro
     weights_.insert(weights_.end(), reach.begin(), reach.end());
     for (const DegreeOfFreedom& dof : model.dofs) wraps_.push_back(dof.wraps ? 1 : 0);
     offsets_.push_back(offsets_.back() + model.dof());
-    obstacles_.emplace_back(world, member, from, latest);
+    obstacles_.emplace_back(world, member, from);
   }
   dof_ = offsets_.back();
   delta_.resize(dof_);
 }
 
-void Team::avoid(RobotId other, const Trajectory& path) {
-  for (MovingObstacles& obstacles : obstacles_) obstacles.add(other, path);
+void Team::avoid(RobotId other, const Trajectory& path, double until) {
+  for (MovingObstacles& obstacles : obstacles_) obstacles.add(other, path, until);
+}
+
+void Team::avoid_outsiders(const Subproblem& subproblem) {
+  for (const Outsider& outsider : subproblem.outsiders) {
+    avoid(outsider.robot, outsider.path, subproblem.horizon);
+  }
 }
 
 bool Team::is_free(ConfigurationView q) const {

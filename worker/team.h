@@ -4,19 +4,21 @@
 // Not thread safe (holds scratch); one per thread.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/planning/subproblem.h"
 #include "worker/moving_obstacles.h"
 
 namespace accord {
 
 class Team {
  public:
-  // Between the instants `from` and `latest` (s). Requires: members are not empty, no repeats.
-  Team(const CollisionWorld& world, std::vector<RobotId> members, double from, double latest);
+  // From the instant `from` (s) on. Requires: members are not empty, no repeats.
+  Team(const CollisionWorld& world, std::vector<RobotId> members, double from);
 
   std::size_t dof() const { return dof_; }
   std::size_t size() const { return members_.size(); }
@@ -25,8 +27,11 @@ class Team {
     return q.subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
   }
 
-  // All members have to avoid this robot from now on.
-  void avoid(RobotId other, const Trajectory& path);
+  // All members have to avoid this robot until `until` (s).
+  void avoid(RobotId other, const Trajectory& path,
+             double until = std::numeric_limits<double>::infinity());
+  // The outsiders of a subproblem, until its horizon.
+  void avoid_outsiders(const Subproblem& subproblem);
 
   // Free of obstacles, of self-contact and of each other.
   bool is_free(ConfigurationView q) const;

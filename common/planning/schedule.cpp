@@ -4,16 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "common/planning/splice.h"
+
 namespace accord {
 namespace {
-
-// Two waypoints closer in time than this are one: a splice at a waypoint must not leave a sliver
-// whose speed is all rounding.
-constexpr double kSameInstant = 1e-9;  // s
-
-void append_if_later(Trajectory& path, double t, ConfigurationView q) {
-  if (path.empty() || t > path.end_time() + kSameInstant) path.append(t, q);
-}
 
 // The part of a coupling timeline inside [from, to), moved by `shift`.
 void copy_clipped(const std::vector<CouplingSegment>& segments, double from, double to,
@@ -44,7 +38,7 @@ bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& re
     const RobotModel& model = *scene.robot(task.robot).model;
     if (!reaches_goal(model, task, path.configuration(path.size() - 1))) return false;
   }
-  return resolution.end > subproblem.from;
+  return true;
 }
 
 }  // namespace
@@ -69,45 +63,29 @@ bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution
   for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
     const Task& task = subproblem.tasks[i];
     Entry& entry = entries_[task.robot.index()];
+    const double arrival = resolution.paths[i].end_time();
     std::vector<CouplingSegment> coupling;
     copy_clipped(entry.coupling, 0, subproblem.from, 0, coupling);
-    coupling.push_back({subproblem.from, resolution.end, robots, resolution.solver});
+    coupling.push_back({subproblem.from, arrival, robots, resolution.solver});
     copy_clipped(entry.coupling, subproblem.to, std::numeric_limits<double>::infinity(),
-                 resolution.end - subproblem.to, coupling);
+                 arrival - subproblem.to, coupling);
     entry.coupling = std::move(coupling);
-    splice(entry, subproblem, task, resolution.paths[i], resolution.end);
+    splice(entry, subproblem, task, resolution.paths[i]);
     ++entry.version;
   }
   return true;
 }
 
 void Schedule::splice(Entry& entry, const Subproblem& subproblem, const Task& task,
-                      const Trajectory& local, double end) const {
+                      const Trajectory& local) const {
   const Trajectory& old = entry.path;
   Trajectory path(old.dof());
-  path.reserve(old.size() + local.size() + 2);
+  path.reserve(old.size() + local.size());
   for (std::size_t i = 0; i < old.size() && old.time(i) < subproblem.from - kSameInstant; ++i) {
     path.append(old.time(i), old.configuration(i));
   }
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    append_if_later(path, local.time(i), local.configuration(i));
-  }
-  // The local path may reach the goal in other whole turns: the tail goes on in those.
-  const ConfigurationView reached = path.configuration(path.size() - 1);
-  Configuration turns(old.dof());
-  for (std::size_t k = 0; k < turns.size(); ++k) {
-    const bool wraps = scene_->robot(task.robot).model->dofs[k].wraps;
-    turns[k] = wraps ? reached[k] - task.goal[k] : 0;
-  }
-  const double shift = end - subproblem.to;
-  const bool tail = old.end_time() > subproblem.to + kSameInstant;
-  if (tail) append_if_later(path, end, Configuration(reached.begin(), reached.end()));
-  Configuration moved(old.dof());
-  for (std::size_t i = 0; i < old.size(); ++i) {
-    if (old.time(i) <= subproblem.to + kSameInstant) continue;
-    for (std::size_t k = 0; k < moved.size(); ++k) moved[k] = old.configuration(i)[k] + turns[k];
-    append_if_later(path, old.time(i) + shift, moved);
-  }
+  for (std::size_t i = 0; i < local.size(); ++i) path.append(local.time(i), local.configuration(i));
+  append_tail(*scene_->robot(task.robot).model, old, subproblem.to, path);
   entry.path = path.tidied();
 }
 

@@ -38,7 +38,9 @@ class Schedule {
   }
 
   // UpdateSolution of the paper: replaces each robot's path between the subproblem's window by its
-  // local path; all robots leave the window together and their tails shift by the same time.
+  // local path, from whose end it goes on along its old path at once. (The paper lets all robots
+  // leave the window together; that makes everyone wait for the slowest, and what a robot meets on
+  // its tail is found by the next scan either way.)
   // False, and nothing changes, when a version differs or the local paths do not fit the window.
   bool commit(const Subproblem& subproblem, const Resolution& resolution);
 
@@ -49,8 +51,8 @@ class Schedule {
     std::vector<CouplingSegment> coupling;
   };
 
-  void splice(Entry& entry, const Subproblem& subproblem, const Task& task, const Trajectory& local,
-              double end) const;
+  void splice(Entry& entry, const Subproblem& subproblem, const Task& task,
+              const Trajectory& local) const;
 
   std::shared_ptr<const Scene> scene_;
   std::vector<Entry> entries_;

@@ -26,6 +26,7 @@ struct Task {
   Configuration goal;     // to be reached at its end, or later
   Region region;          // holds start, goal and guide
   Trajectory guide;       // the robot's present path inside the window
+  Trajectory tail;        // and after it, as far as the horizon; starts at the goal at `to`
 };
 
 // A robot that is not part of the subproblem and keeps to its present path.
@@ -48,7 +49,8 @@ struct Subproblem {
   std::uint64_t seed = 0;
   double from = 0;      // s: all robots are at their starts
   double to = 0;        // s: when the present paths reach the goals
-  double latest = 0;    // s: all robots must have arrived by then; outsiders are known until then
+  double horizon = 0;   // s: outsiders are avoided until then; what comes later is left to later
+                        // subproblems, which will know it better
   bool whole = false;   // E' = E and Q' = Q: the last solver goes on to its own limit
   std::vector<Task> tasks;          // in the order of robot ids
   std::vector<Outsider> outsiders;  // in the order of robot ids
@@ -74,8 +76,8 @@ struct Effort {
 struct Resolution {
   bool solved = false;            // else: exhausted
   std::string solver;             // which one found it
-  double end = 0;                 // s: when all robots have arrived and leave together
-  std::vector<Trajectory> paths;  // one a task; from `from` to at most `end`
+  double end = 0;                 // s: when the last robot arrives at its goal
+  std::vector<Trajectory> paths;  // one a task; from `from` to its arrival, at most `end`
   Effort effort;
 };
 

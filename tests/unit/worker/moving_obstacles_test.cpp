@@ -11,6 +11,7 @@ namespace accord {
 namespace {
 
 constexpr RobotId kMe{0}, kOther{1};
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 TEST(MovingObstacles, LetADiscRestUntilAnotherComesAndAfterItHasPassed) {
   const auto scene = testing::SceneBuilder(-20, -20, 20, 20)
@@ -18,14 +19,14 @@ TEST(MovingObstacles, LetADiscRestUntilAnotherComesAndAfterItHasPassed) {
                          .disk(0.5, {-10, 0}, {10, 0})
                          .build();
   const CollisionWorld world(scene, kPlanningMargin);
-  MovingObstacles obstacles(world, kMe, 0, 100);
-  obstacles.add(kOther, testing::path({{0, {-10, 0}}, {20, {10, 0}}}));
+  MovingObstacles obstacles(world, kMe, 0);
+  obstacles.add(kOther, testing::path({{0, {-10, 0}}, {20, {10, 0}}}), kForever);
   std::vector<Interval> safe;
   obstacles.safe_intervals(Configuration{0, 0}, safe);
   ASSERT_EQ(safe.size(), 2u);
   EXPECT_NEAR(safe[0].hi, 9, 1e-4);
   EXPECT_NEAR(safe[1].lo, 11, 1e-4);
-  EXPECT_EQ(safe[1].hi, 100);
+  EXPECT_EQ(safe[1].hi, kForever);
 }
 
 TEST(MovingObstacles, AllowNoRestWhereAnotherRobotParks) {
@@ -34,8 +35,8 @@ TEST(MovingObstacles, AllowNoRestWhereAnotherRobotParks) {
                          .disk(0.5, {5, 0}, {0.5, 0})
                          .build();
   const CollisionWorld world(scene, kPlanningMargin);
-  MovingObstacles obstacles(world, kMe, 0, 100);
-  obstacles.add(kOther, testing::path({{0, {5, 0}}, {4.5, {0.5, 0}}}));
+  MovingObstacles obstacles(world, kMe, 0);
+  obstacles.add(kOther, testing::path({{0, {5, 0}}, {4.5, {0.5, 0}}}), kForever);
   std::vector<Interval> safe;
   obstacles.safe_intervals(Configuration{0, 0}, safe);
   ASSERT_EQ(safe.size(), 1u);
@@ -59,9 +60,9 @@ TEST_P(EarliestDeparture, IsAtOnceWhenTheWayIsClearAndLaterWhenItIsNot) {
                          .robot(model(), at(-5, 0), at(5, 0))
                          .build();
   const CollisionWorld world(scene, kPlanningMargin);
-  MovingObstacles obstacles(world, kMe, 0, 100);
+  MovingObstacles obstacles(world, kMe, 0);
   const Trajectory crossing = testing::path({{0, at(-5, 0)}, {10, at(5, 0)}});
-  obstacles.add(kOther, crossing);
+  obstacles.add(kOther, crossing, kForever);
   EXPECT_EQ(obstacles.earliest_departure(at(0, -5), at(0, 5), 10, 50, 60), 50.0);
   const auto late = obstacles.earliest_departure(at(0, -5), at(0, 5), 10, 0, 60);
   ASSERT_TRUE(late);
@@ -91,8 +92,8 @@ TEST(MovingObstacles, EveryRestAndDepartureTheyAllowIsFreeOfConflicts) {
     Trajectory other(2);
     double t = 0;
     for (int i = 0; i < 5; ++i, t += random.uniform(0.5, 3)) other.append(t, place());
-    MovingObstacles obstacles(world, kMe, 0, 30);
-    obstacles.add(kOther, other);
+    MovingObstacles obstacles(world, kMe, 0);
+    obstacles.add(kOther, other, kForever);
     const Configuration a = place(), b = place();
     std::vector<Interval> safe;
     obstacles.safe_intervals(a, safe);

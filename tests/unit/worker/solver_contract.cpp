@@ -57,7 +57,7 @@ std::string contract_breach(const CollisionWorld& world, const Subproblem& subpr
     }
     for (const Outsider& outsider : subproblem.outsiders) {
       if (earliest_contact(world, tasks[i].robot, path, outsider.robot, outsider.path,
-                           subproblem.from, resolution.end)) {
+                           subproblem.from, std::min(resolution.end, subproblem.horizon))) {
         return "a robot runs into an outsider";
       }
     }

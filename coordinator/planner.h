@@ -1,2 +1,0 @@
-#pragma once
-#include "client/engine/planner.h"  // moved there; link accord_engine

@@ -1,0 +1,20 @@
+#include "worker/continuation.h"
+
+#include "common/planning/splice.h"
+
+namespace accord {
+
+Trajectory with_tail(const CollisionWorld& world, const Subproblem& subproblem, const Task& task,
+                     const Trajectory& local) {
+  Trajectory path = local;
+  if (task.tail.size() > 1) {
+    append_tail(*world.scene().robot(task.robot).model, task.tail, subproblem.to, path);
+  }
+  return path;
+}
+
+double hold_until(const Subproblem& subproblem, const Task& task) {
+  return task.tail.size() > 1 ? subproblem.from : subproblem.horizon;
+}
+
+}  // namespace accord
