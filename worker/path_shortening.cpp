@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "common/planning/random.h"
+#include "worker/timed_shortcuts.h"
+
 namespace accord {
 namespace {
 
@@ -30,6 +33,9 @@ std::vector<Configuration> places_of(const Team& team, const Trajectory& path) {
 }  // namespace
 
 void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort& effort) {
+  if (path.size() > 3) {
+    cut_corners(team, request.hold_until, combine({path.size(), team.size()}), path, effort);
+  }
   for (int round = 0; round < kRounds; ++round) {
     if (path.size() < 3) return;  // one motion, at once
     const std::vector<Configuration> places = places_of(team, path);

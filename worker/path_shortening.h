@@ -1,5 +1,6 @@
-// Makes a timed path shorter after it was found: searches again on the complete graph of its own
-// places and the points between them. A path found on samples wanders; this takes most of it out.
+// Makes a timed path shorter after it was found: cuts corners, then searches again on the complete
+// graph of its own places and the points between them. A path found on samples wanders; this takes
+// most of it out.
 #pragma once
 
 #include "common/planning/subproblem.h"

@@ -109,6 +109,13 @@ void Team::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
   }
 }
 
+bool Team::motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!obstacles_[i].motion_is_clear(part(a, i), part(b, i), t, duration)) return false;
+  }
+  return true;
+}
+
 std::optional<double> Team::earliest_departure(ConfigurationView a, ConfigurationView b,
                                                double duration, double lo, double hi) {
   double t = lo;

@@ -51,6 +51,7 @@ class Team {
   void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
   std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
                                            double duration, double lo, double hi);
+  bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
 
  private:
   const CollisionWorld& world_;
