@@ -79,7 +79,7 @@ ExitCode run(const CommandOptions& options) {
   if (options.json) {
     std::cout << json;
   } else if (verdict && !options.quiet) {
-    std::cout << solved_text(plan, *verdict);
+    std::cout << solved_text(*scene, plan, *verdict);
   }
   if (!verdict) std::cerr << unsolved_text(plan);
   return exit_code_of(plan.status);

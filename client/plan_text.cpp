@@ -49,7 +49,7 @@ std::string solvers_text(const Plan& plan) {
 
 }  // namespace
 
-std::string solved_text(const Plan& plan, const Verdict& verdict) {
+std::string solved_text(const Scene& scene, const Plan& plan, const Verdict& verdict) {
   Table table;
   table.add("status", "solved, and proved free of collisions at every instant");
   table.add("robots", std::to_string(plan.robots.size()));
@@ -59,7 +59,7 @@ std::string solved_text(const Plan& plan, const Verdict& verdict) {
   if (const std::string solvers = solvers_text(plan); !solvers.empty()) {
     table.add("solved by", solvers);
   }
-  add_separations(table, verdict);
+  add_separations(table, scene, verdict);
   table.add("planned in", fmt::format("{:.3f} s", plan.planning_time));
   return table.str();
 }

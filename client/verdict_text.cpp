@@ -9,15 +9,19 @@ namespace {
 
 std::string separation_text(const std::optional<Separation>& separation) {
   if (!separation) return "1 m or more";
-  return fmt::format("at least {:.4f} m, {} and {} at t = {:.2f} s", separation->distance,
-                     separation->first, separation->second, separation->time);
+  // Four decimals, or the order of magnitude of less than that.
+  const double distance = separation->distance;
+  const std::string metres =
+      distance >= 1e-4 ? fmt::format("{:.4f}", distance) : fmt::format("{:.1g}", distance);
+  return fmt::format("at least {} m, {} and {} at t = {:.2f} s", metres, separation->first,
+                     separation->second, separation->time);
 }
 
 }  // namespace
 
-void add_separations(Table& table, const Verdict& verdict) {
-  table.add("between robots", separation_text(verdict.robots));
-  table.add("to obstacles", separation_text(verdict.obstacles));
+void add_separations(Table& table, const Scene& scene, const Verdict& verdict) {
+  if (scene.robots.size() > 1) table.add("between robots", separation_text(verdict.robots));
+  if (!scene.obstacles.empty()) table.add("to obstacles", separation_text(verdict.obstacles));
 }
 
 }  // namespace accord

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "client/table.h"
+#include "common/model/scene.h"
 #include "common/planning/verifier.h"
 
 namespace accord {
 
-// Adds the smallest separations. Requires: the verdict is a proof.
-void add_separations(Table& table, const Verdict& verdict);
+// Adds the smallest separations between what is there. Requires: the verdict is a proof.
+void add_separations(Table& table, const Scene& scene, const Verdict& verdict);
 
 }  // namespace accord

@@ -39,7 +39,7 @@ ExitCode run(const VerifyOptions& options) {
   table.add("proved",
             fmt::format("{} robots are free of collisions at every instant", scene->robots.size()));
   table.add("makespan", fmt::format("{:.2f} s", plan->makespan));
-  add_separations(table, verdict);
+  add_separations(table, *scene, verdict);
   std::cout << table.str();
   return ExitCode::kSuccess;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "common/planning/verifier_bisection.h"
 #include "common/planning/verifier_parallel.h"
@@ -23,19 +25,20 @@ struct Stretch {
   double t1;
 };
 
-// The closest of two discs or balls during a stretch, in closed form.
-Closest closest_of_round(const Subject& subject, const Stretch& stretch, double radii) {
-  const auto offset = [&](double t) {
-    const Robot& a = subject.robot(stretch.pair.first);
-    const Robot& b = subject.robot(stretch.pair.second);
-    const auto place = [&](const Robot& robot, RobotId id) {
-      return place_of(robot, subject.path(id).at(t));
-    };
-    return Vec3(place(b, stretch.pair.second) - place(a, stretch.pair.first));
-  };
-  constexpr double kRounding = 1e-9;
-  const Vec3 before = offset(stretch.t0);
-  const Vec3 drift = offset(stretch.t1) - before;
+// The centre of a disc or ball.
+Vec3 centre(const Subject& subject, RobotId id, double t) {
+  Vec3 q = Vec3::Zero();
+  const Trajectory& path = subject.path(id);
+  path.at(t, std::span<double>(q.data(), path.dof()));
+  return subject.robot(id).base * q;
+}
+
+// The closest of two discs or balls during a stretch, in closed form; the offsets are those of the
+// second's centre from the first's at its two ends.
+Closest closest_of_round(const Stretch& stretch, const Vec3& before, const Vec3& after,
+                         double radii) {
+  constexpr double kRounding = 1e-9;  // m
+  const Vec3 drift = after - before;
   const double squared = drift.squaredNorm();
   const double u = squared > 0 ? std::clamp(-before.dot(drift) / squared, 0.0, 1.0) : 0.0;
   return {(before + u * drift).norm() - radii - kRounding,
@@ -65,37 +68,66 @@ void keep_lower(std::optional<PairClosest>& best, const Closest& candidate, Pair
   if (!best || candidate.distance < best->closest.distance) best = PairClosest{candidate, pair};
 }
 
+// The closest that two discs or balls come during a slab.
+Closest closest_of_round_pair(const Subject& subject, Pair pair, double begin, double end,
+                              double radii) {
+  const auto offset = [&](double t) {
+    return Vec3(centre(subject, pair.second, t) - centre(subject, pair.first, t));
+  };
+  Closest closest{std::numeric_limits<double>::infinity(), begin, 0};
+  Vec3 before = offset(begin);
+  for_each_stretch(subject.path(pair.first), subject.path(pair.second), begin, end,
+                   [&](double t0, double t1) {
+                     const Vec3 after = offset(t1);
+                     const Closest here = closest_of_round({pair, t0, t1}, before, after, radii);
+                     if (here.distance < closest.distance) closest = here;
+                     before = after;
+                     return true;
+                   });
+  return closest;
+}
+
+// The closest of the stretches, of those that come closer than `upper`, within a budget of queries.
+std::optional<PairClosest> closest_by_bisection(const Subject& subject,
+                                                const std::vector<Stretch>& stretches, double upper,
+                                                std::size_t budget) {
+  const auto distance = [&](std::size_t i, double t, double cutoff) {
+    return pair_distance(subject, stretches[i].pair, t, cutoff);
+  };
+  Bisection bisection(distance, upper, budget);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    bisection.add(i, stretches[i].t0, stretches[i].t1, pair_travel(subject, stretches[i]));
+  }
+  const std::optional<Closest> closest = bisection.solve();
+  if (!closest) return std::nullopt;
+  return PairClosest{*closest, stretches[closest->item].pair};
+}
+
 // The closest pair during one slab, of those that come closer than `upper`.
 std::optional<PairClosest> closest_in_slab(const Subject& subject, const TimeSlabs& slabs,
                                            std::size_t slab, double upper) {
+  const double begin = slabs.begin(slab);
+  const double end = slabs.end(slab);
   std::optional<PairClosest> best;
   std::vector<Stretch> stretches;  // of pairs that have no closed form
   for (const Pair pair : slabs.near_pairs(slab, upper)) {
     const std::optional<double> radius_a = subject.world.radius(pair.first);
     const std::optional<double> radius_b = subject.world.radius(pair.second);
-    for_each_stretch(subject.path(pair.first), subject.path(pair.second), slabs.begin(slab),
-                     slabs.end(slab), [&](double t0, double t1) {
-                       const Stretch stretch{pair, t0, t1};
-                       if (radius_a && radius_b) {
-                         keep_lower(best, closest_of_round(subject, stretch, *radius_a + *radius_b),
-                                    pair);
-                       } else {
-                         stretches.push_back(stretch);
-                       }
+    if (radius_a && radius_b) {
+      const double radii = *radius_a + *radius_b;
+      keep_lower(best, closest_of_round_pair(subject, pair, begin, end, radii), pair);
+      continue;
+    }
+    for_each_stretch(subject.path(pair.first), subject.path(pair.second), begin, end,
+                     [&](double t0, double t1) {
+                       stretches.push_back({pair, t0, t1});
                        return true;
                      });
   }
-  const auto distance = [&](std::size_t i, double t, double cutoff) {
-    return pair_distance(subject, stretches[i].pair, t, cutoff);
-  };
   if (best) upper = std::min(upper, best->closest.distance);
-  Bisection bisection(distance, upper, share_of_budget(slabs.count()));
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    bisection.add(i, stretches[i].t0, stretches[i].t1, pair_travel(subject, stretches[i]));
-  }
-  if (const auto closest = bisection.solve()) {
-    keep_lower(best, *closest, stretches[closest->item].pair);
-  }
+  const auto other =
+      closest_by_bisection(subject, stretches, upper, share_of_budget(slabs.count()));
+  if (other) keep_lower(best, other->closest, other->pair);
   return best;
 }
 

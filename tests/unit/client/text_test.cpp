@@ -3,6 +3,7 @@
 
 #include "client/plan_text.h"
 #include "client/table.h"
+#include "tests/unit/planning/verifier_scenes.h"
 
 namespace accord {
 namespace {
@@ -25,7 +26,7 @@ TEST(PlanText, SaysWhatWasCountedAndNothingElse) {
       {"lower_bound", 100}, {"solved_by_prioritized-query", 7}, {"solved_by_composite-prm", 0}};
   Verdict verdict;
   verdict.robots = Separation{0.05, 3, "a", "b"};
-  const std::string text = solved_text(plan, verdict);
+  const std::string text = solved_text(*hall(), plan, verdict);
   EXPECT_THAT(text, HasSubstr("10.0 % above"));
   EXPECT_THAT(text, HasSubstr("prioritized-query 7\n"));
   EXPECT_THAT(text, HasSubstr("at least 0.0500 m, a and b at t = 3.00 s"));
