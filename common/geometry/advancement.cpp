@@ -142,94 +142,110 @@ typename Advancement<D>::Cover Advancement<D>::look(Pair<D>& pair, double back, 
 }
 
 template <int D>
-bool Advancement<D>::proves_free() {
+void Advancement<D>::start() {
+  looks_ = 0;
   ids_.clear();
   intervals_.clear();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) ids_.push_back(i);
   intervals_.push_back({0, 1, 0, pairs.size()});
-  int looks = 0;
-  for (std::size_t k = 0; k < intervals_.size(); ++k) {
-    const Interval at = intervals_[k];
-    const double middle = 0.5 * (at.low + at.high);
-    const double half = 0.5 * (at.high - at.low);
-    const std::size_t left = ids_.size();
-    double left_end = at.low;
-    double right_begin = at.high;
-    later_.clear();
-    move_to(middle);
-    for (std::size_t i = at.begin; i < at.end; ++i) {
-      const std::uint32_t id = ids_[i];
-      const Cover cover = look(pairs[id], half, half);
-      if (cover.contact || ++looks > kMostLooks) return false;
-      if (cover.back < half) {
-        ids_.push_back(id);
-        left_end = std::max(left_end, middle - cover.back);
-      }
-      if (cover.forward < half) {
-        later_.push_back(id);
-        right_begin = std::min(right_begin, middle + cover.forward);
-      }
+}
+
+// Looks at the middle, and leaves what that does not prove: pairs and stretches before and after it.
+// True where a pair is in contact there.
+template <int D>
+bool Advancement<D>::split(const Interval& way, Interval& before, Interval& after) {
+  const double middle = 0.5 * (way.low + way.high);
+  const double half = 0.5 * (way.high - way.low);
+  bool contact = false;
+  before = {way.low, way.low, ids_.size(), 0};
+  after = {way.high, way.high, 0, 0};
+  later_.clear();
+  move_to(middle);
+  for (std::size_t i = way.begin; i < way.end; ++i) {
+    const std::uint32_t id = ids_[i];
+    const Cover cover = look(pairs[id], half, half);
+    contact = contact || cover.contact || ++looks_ > kMostLooks;
+    if (cover.back < half) {
+      ids_.push_back(id);
+      before.high = std::max(before.high, middle - cover.back);
     }
-    const std::size_t right = ids_.size();
-    ids_.insert(ids_.end(), later_.begin(), later_.end());
-    if (right > left) intervals_.push_back({at.low, left_end, left, right});
-    if (ids_.size() > right) intervals_.push_back({right_begin, at.high, right, ids_.size()});
+    if (cover.forward < half) {
+      later_.push_back(id);
+      after.low = std::min(after.low, middle + cover.forward);
+    }
+  }
+  before.end = after.begin = ids_.size();
+  ids_.insert(ids_.end(), later_.begin(), later_.end());
+  after.end = ids_.size();
+  return contact;
+}
+
+template <int D>
+bool Advancement<D>::proves_free() {
+  start();
+  for (std::size_t k = 0; k < intervals_.size(); ++k) {
+    Interval before;
+    Interval after;
+    if (split(intervals_[k], before, after)) return false;
+    if (before.end > before.begin) intervals_.push_back(before);
+    if (after.end > after.begin) intervals_.push_back(after);
   }
   return true;
 }
 
-// Each pair of ids_ goes from its `from` to its `until` in steps of its own; the one that is least
-// far goes next, so that the first contact is the earliest.
+// Each pair goes from its `from` to `until` in steps of its own; those that are least far go next,
+// so that the first contact is the earliest.
 template <int D>
-std::optional<double> Advancement<D>::march() {
-  int looks = 0;
-  while (!ids_.empty()) {
-    double u = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t id : ids_) u = std::min(u, pairs[id].from);
+std::optional<double> Advancement<D>::march(const Interval& way) {
+  later_.assign(ids_.begin() + static_cast<std::ptrdiff_t>(way.begin),
+                ids_.begin() + static_cast<std::ptrdiff_t>(way.end));
+  for (const std::uint32_t id : later_) pairs[id].from = way.low;
+  while (!later_.empty()) {
+    double u = way.high;
+    for (const std::uint32_t id : later_) u = std::min(u, pairs[id].from);
     move_to(u);
+    const double rest = way.high - u;
     std::size_t left = 0;
-    for (const std::uint32_t id : ids_) {
+    for (const std::uint32_t id : later_) {
       Pair<D>& pair = pairs[id];
       if (pair.from <= u) {
-        const double rest = pair.until - u;
         const Cover cover = look(pair, 0, rest);
-        if (cover.contact || ++looks > kMostLooks) return u;
+        if (cover.contact || ++looks_ > kMostLooks) return u;
         if (cover.forward >= rest) continue;  // done
         pair.from = u + cover.forward;
       }
-      ids_[left++] = id;
+      later_[left++] = id;
     }
-    ids_.resize(left);
+    later_.resize(left);
   }
   return std::nullopt;
 }
 
 template <int D>
 std::optional<double> Advancement<D>::first_contact() {
-  // One look at the middle settles most pairs, and ends the way of the rest where one touches.
-  constexpr double kMiddle = 0.5;
-  ids_.clear();
-  later_.clear();
-  move_to(kMiddle);
-  bool contact = false;
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-    Pair<D>& pair = pairs[i];
-    const Cover cover = look(pair, kMiddle, kMiddle);
-    contact = contact || cover.contact;
-    pair.from = 0;
-    pair.until = kMiddle - cover.back;
-    pair.again = kMiddle + cover.forward;
-    if (pair.until > 0) ids_.push_back(i);
-    if (pair.again < 1) later_.push_back(i);
+  // Halves that share their looks at robots suit many pairs, steps of its own a pair in trouble.
+  constexpr std::size_t kFewPairs = 1;
+  constexpr double kShort = 1.0 / 64;
+  start();
+  std::optional<double> contact;  // found at a middle; all before it is still to be proved
+  while (!intervals_.empty()) {
+    const Interval way = intervals_.back();
+    intervals_.pop_back();
+    if (way.end - way.begin <= kFewPairs || way.high - way.low <= kShort) {
+      if (const auto u = march(way)) return u;
+      continue;
+    }
+    Interval before;
+    Interval after;
+    if (split(way, before, after)) {
+      contact = 0.5 * (way.low + way.high);
+      intervals_.clear();
+    } else if (after.end > after.begin) {
+      intervals_.push_back(after);
+    }
+    if (before.end > before.begin) intervals_.push_back(before);
   }
-  if (const auto u = march()) return u;
-  if (contact) return kMiddle;
-  ids_ = later_;
-  for (const std::uint32_t id : ids_) {
-    pairs[id].from = pairs[id].again;
-    pairs[id].until = 1;
-  }
-  return march();
+  return contact;
 }
 
 template <int D>

@@ -30,9 +30,7 @@ struct Pair {
   double keep = 0;   // m, between the cores: radii and rounding included
   double speed = 0;  // m, how fast they can close, per unit of u
   double bend = 0;   // m, how much that can change, per unit of u
-  double from = 0;   // march: proved up to here,
-  double until = 1;  // to be proved up to here
-  double again = 1;  // and from here on
+  double from = 0;   // march: proved up to here
   Vec<D> normal = Vec<D>::Zero();  // from the last look
 };
 
@@ -65,10 +63,10 @@ class Advancement {
     bool contact;
   };
   struct Interval {
-    double low;
-    double high;
-    std::size_t begin;  // in ids_
-    std::size_t end;
+    double low = 0;
+    double high = 0;
+    std::size_t begin = 0;  // in ids_
+    std::size_t end = 0;
   };
 
   Cover look(Pair<D>& pair, double back, double forward);
@@ -77,8 +75,11 @@ class Advancement {
                            const Vec<D>& at);
   void cover_along_normal(const Pair<D>& pair, const Placed<D>& a, const Placed<D>& b, double back,
                           double forward, Cover& cover);
-  std::optional<double> march();
+  void start();
+  bool split(const Interval& way, Interval& before, Interval& after);
+  std::optional<double> march(const Interval& way);
 
+  int looks_ = 0;
   std::vector<std::uint32_t> ids_;
   std::vector<std::uint32_t> later_;
   std::vector<Interval> intervals_;

@@ -21,10 +21,15 @@ class BoxTree {
   // Items are named by their place in `boxes`.
   explicit BoxTree(std::span<const Extent<D>> boxes);
 
-  // Calls visit(item) for every item whose box overlaps the query, in the same order always, until
-  // one returns false; then returns false too.
+  // Calls visit(item) for every item whose box meets(box), in the same order always, until one
+  // returns false; then returns false too. What meets a part of a box must meet the box.
+  template <typename Meets, typename Visit>
+  bool each_meeting(const Meets& meets, Visit&& visit) const;
+
   template <typename Visit>
-  bool each_overlapping(const Extent<D>& query, Visit&& visit) const;
+  bool each_overlapping(const Extent<D>& query, Visit&& visit) const {
+    return each_meeting([&](const Extent<D>& box) { return box.overlaps(query); }, visit);
+  }
 
   // Calls visit(item) for items whose box may lie within `cutoff` of the query, roughly the nearest
   // first; visit returns the cutoff from then on.
@@ -48,8 +53,8 @@ class BoxTree {
 };
 
 template <int D>
-template <typename Visit>
-bool BoxTree<D>::each_overlapping(const Extent<D>& query, Visit&& visit) const {
+template <typename Meets, typename Visit>
+bool BoxTree<D>::each_meeting(const Meets& meets, Visit&& visit) const {
   if (nodes_.empty()) return true;
   std::int32_t stack[kMostDepth];
   int depth = 0;
@@ -57,7 +62,7 @@ bool BoxTree<D>::each_overlapping(const Extent<D>& query, Visit&& visit) const {
   while (depth > 0) {
     const std::int32_t index = stack[--depth];
     const Node& node = nodes_[static_cast<std::size_t>(index)];
-    if (!node.box.overlaps(query)) continue;
+    if (!meets(node.box)) continue;
     if (node.count == 0) {
       stack[depth++] = node.first;
       stack[depth++] = index + 1;
@@ -65,7 +70,7 @@ bool BoxTree<D>::each_overlapping(const Extent<D>& query, Visit&& visit) const {
     }
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if (item_boxes_[k].overlaps(query) && !visit(items_[k])) return false;
+      if (meets(item_boxes_[k]) && !visit(items_[k])) return false;
     }
   }
   return true;

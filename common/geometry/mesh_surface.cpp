@@ -40,6 +40,10 @@ struct MeshSurface::Tree {
   Hierarchy hierarchy;
 
   const Node& node(int i) const { return hierarchy.getBV(i); }
+  TriangleSupport triangle(int i) const {
+    const auto& t = triangles[static_cast<std::size_t>(i)];
+    return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+  }
   TriangleSupport triangle(int i, const Frame<3>& frame) const {
     const auto& t = triangles[static_cast<std::size_t>(i)];
     return {frame(vertices[t[0]]), frame(vertices[t[1]]), frame(vertices[t[2]])};
@@ -52,9 +56,17 @@ struct MeshSurface::Tree {
   // The least distance found so far; what cannot be nearer is passed over.
   struct Search {
     Wanted wanted;  // wanted.enough: the least so far
+    // Where it lay: neighbouring triangles are mostly settled by the direction of the last.
+    Vec3 normal = Vec3::Zero();
     bool done() const { return wanted.enough <= wanted.contact; }
-    bool passes(double squared) const {
-      return squared >= wanted.enough * wanted.enough;
+    bool passes(double squared) const { return squared >= wanted.enough * wanted.enough; }
+    Vec3 hint(const Vec3& offset) const {
+      if (!normal.isZero(0)) return normal;
+      return offset.isZero(0) ? Vec3(Vec3::UnitX()) : offset;
+    }
+    void take(const Gap<3>& gap) {
+      if (gap.separates) normal = gap.normal;
+      wanted.enough = std::min(wanted.enough, gap.distance);
     }
   };
 
@@ -97,10 +109,8 @@ void MeshSurface::Tree::search(int i, const Placed<3>& core, const Bv& core_box,
   const Node& n = node(i);
   if (n.isLeaf()) {
     const int primitive = n.primitiveId();
-    const Vec3 hint = core.frame.t - middle(primitive);
-    const Gap<3> gap = gjk(triangle(primitive, {}), CoreSupport(core, Vec3::Zero()), search.wanted,
-                           hint.isZero(0) ? Vec3(Vec3::UnitX()) : hint);
-    search.wanted.enough = std::min(search.wanted.enough, gap.distance);
+    search.take(gjk(triangle(primitive), CoreSupport(core, Vec3::Zero()), search.wanted,
+                    search.hint(core.frame.t - middle(primitive))));
     return;
   }
   const int left = n.leftChild();
@@ -124,10 +134,8 @@ void MeshSurface::Tree::search(int i, const Tree& other, int j, const Frame<3>& 
   if (a.isLeaf() && b.isLeaf()) {
     const int p = a.primitiveId();
     const int q = b.primitiveId();
-    const Vec3 hint = other_frame(other.middle(q)) - middle(p);
-    const Gap<3> gap = gjk(triangle(p, {}), other.triangle(q, other_frame), search.wanted,
-                           hint.isZero(0) ? Vec3(Vec3::UnitX()) : hint);
-    search.wanted.enough = std::min(search.wanted.enough, gap.distance);
+    search.take(gjk(triangle(p), other.triangle(q, other_frame), search.wanted,
+                    search.hint(other_frame(other.middle(q)) - middle(p))));
     return;
   }
   // Split the larger one.

@@ -53,7 +53,8 @@ class WorldCore {
 
   // What a motion has to be proved against: fills work.pairs. Leaves out what cannot be met.
   void add_fixed_pairs(RobotId robot, Work& work) const;
-  void add_disc_pairs(RobotId robot, Work& work) const;
+  // False where only one obstacle was asked for and there is one: the motion is not free.
+  bool add_disc_pairs(RobotId robot, bool only_one, Work& work) const;
   void add_self_pairs(Work& work) const;
   void add_robot_pairs(Work& work) const;
   void add_walls_for(int piece, const Extent<D>& swept, double speed, double bend,

@@ -22,6 +22,10 @@ template <int D>
 Fault WorldCore<D>::fault_between(const Placed<D>& a, const Placed<D>& b, Fault::Kind kind) const {
   Fault fault{kind, {}, {}, 0, in_space(meeting_point(a, b))};
   const double radii = a.piece->radius + b.piece->radius;
+  if (b.piece->core == Core::kHalfSpace) {  // minus the excess, to the last
+    fault.gap = gap(a, b, Wanted{}, Vec<D>(Vec<D>::Zero())).distance - radii;
+    return fault;
+  }
   const bool inside = solids_ && (contains(a, b) || contains(b, a));
   const double distance =
       inside ? 0.0 : gap(a, b, Wanted{}, Vec<D>(Vec<D>::Zero())).distance;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/geometry/mesh_surface.h"
+#include "common/geometry/sweep.h"
 #include "common/geometry/tolerances.h"
 #include "common/geometry/world_core.h"
 
@@ -122,17 +123,16 @@ void WorldCore<D>::add_fixed_pairs(RobotId robot, Work& work) const {
 // Discs and balls sweep capsules, so that one distance settles a whole motion; only what the capsule
 // touches is left to be advanced against.
 template <int D>
-void WorldCore<D>::add_disc_pairs(RobotId robot, Work& work) const {
+bool WorldCore<D>::add_disc_pairs(RobotId robot, bool only_one, Work& work) const {
   const double radius = chains_[robot.index()].radius();
   const Eigen::Map<const Vec<D>> from(work.first.from());
   const Eigen::Map<const Vec<D>> to(work.first.to());
-  const Extent<D> extent =
-      Extent<D>{from.cwiseMin(to), from.cwiseMax(to)}.inflated(radius);
+  const Sweep<D> sweep(from, to, radius + apart_);
   const double speed = work.first.drift().norm();
-  add_walls_for(0, extent, speed, 0, work);
+  add_walls_for(0, sweep.extent().inflated(-apart_), speed, 0, work);
   Piece<D> piece;
   const Placed<D> swept = track(from, to, piece);
-  tree_.each_overlapping(extent.inflated(apart_), [&](int fixed) {
+  return tree_.each_meeting(sweep, [&](int fixed) {
     const Placed<D>& obstacle = fixed_[static_cast<std::size_t>(fixed)];
     const double keep = apart_ + radius + obstacle.piece->radius;
     ++work.distances;
@@ -140,7 +140,7 @@ void WorldCore<D>::add_disc_pairs(RobotId robot, Work& work) const {
     const bool clear = gap(swept, obstacle, wanted, Vec<D>(Vec<D>::Zero())).distance > keep;
     if (clear && !(solids_ && contains(obstacle, swept))) return true;
     work.pairs.push_back(fixed_pair<D>(0, fixed, keep, speed, 0));
-    return true;
+    return !only_one;
   });
 }
 
@@ -242,8 +242,8 @@ bool WorldCore<D>::swallowed(Work& work) const {
 
 template void WorldCore<2>::add_fixed_pairs(RobotId, Work&) const;
 template void WorldCore<3>::add_fixed_pairs(RobotId, Work&) const;
-template void WorldCore<2>::add_disc_pairs(RobotId, Work&) const;
-template void WorldCore<3>::add_disc_pairs(RobotId, Work&) const;
+template bool WorldCore<2>::add_disc_pairs(RobotId, bool, Work&) const;
+template bool WorldCore<3>::add_disc_pairs(RobotId, bool, Work&) const;
 template void WorldCore<2>::add_self_pairs(Work&) const;
 template void WorldCore<3>::add_self_pairs(Work&) const;
 template void WorldCore<2>::add_robot_pairs(Work&) const;

@@ -80,8 +80,8 @@ bool WorldCore<D>::motion_is_free(RobotId robot, ConfigurationView a, Configurat
   Work& work = begin(robot, a, b);
   const Counting<D> counting(work, counter_);
   if (chains_[robot.index()].radius() >= 0) {
-    add_disc_pairs(robot, work);
-    if (work.pairs.empty()) return true;
+    if (!add_disc_pairs(robot, true, work)) return false;
+    if (work.pairs.empty()) return true;  // else the bounds are near
   } else {
     add_self_pairs(work);
     add_fixed_pairs(robot, work);
@@ -97,7 +97,7 @@ std::optional<double> WorldCore<D>::first_fault(RobotId robot, ConfigurationView
   Work& work = begin(robot, a, b);
   const Counting<D> counting(work, counter_);
   if (chains_[robot.index()].radius() >= 0) {
-    add_disc_pairs(robot, work);
+    add_disc_pairs(robot, false, work);
   } else {
     add_self_pairs(work);
     add_fixed_pairs(robot, work);
