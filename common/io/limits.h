@@ -8,16 +8,17 @@
 namespace accord::limits {
 
 // Files
-inline constexpr std::size_t kSceneBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kSceneBytes = std::size_t{4} << 20;  // yaml-cpp takes up to 100 times as much
 inline constexpr std::size_t kUrdfBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMeshBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMapBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kPlanBytes = std::size_t{512} << 20;
 
 // Text
-inline constexpr std::size_t kNesting = 32;           // levels of lists and maps
-inline constexpr std::size_t kSceneNodes = 4'000'000;   // keys and values of a scene
-inline constexpr std::size_t kPlanNodes = 32'000'000;   // keys and values of a plan
+inline constexpr std::size_t kNesting = 32;            // levels of lists and maps
+inline constexpr std::size_t kOpenBrackets = 1'000;    // in YAML, counted without regard to quotes
+inline constexpr std::size_t kSceneNodes = 2'000'000;  // keys and values of a scene
+inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a plan
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
 inline constexpr std::size_t kFaults = 200;            // reported one by one; more are counted

@@ -130,6 +130,18 @@ class TextBuffer : public std::streambuf {
   }
 };
 
+// Where more brackets are open than any scene needs, quotes and comments disregarded; npos where
+// nowhere. yaml-cpp keeps a token for each until it meets the end, at 250 bytes for one.
+std::size_t too_many_brackets(std::string_view text) {
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[' || text[i] == '{') ++open;
+    if ((text[i] == ']' || text[i] == '}') && open > 0) --open;
+    if (open > limits::kOpenBrackets) return i;
+  }
+  return std::string_view::npos;
+}
+
 int line_at(std::string_view text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
@@ -143,6 +155,11 @@ std::unique_ptr<const Document> read_yaml(std::string_view text, const std::stri
   if (const std::size_t bad = first_unprintable(text); bad != std::string_view::npos) {
     faults.add(file, line_at(text, bad), "",
                "not text: the byte " + in_quotes(text.substr(bad, 1)) + "; expected UTF-8");
+    return nullptr;
+  }
+  if (const std::size_t bad = too_many_brackets(text); bad != std::string_view::npos) {
+    faults.add(file, line_at(text, bad), "",
+               "more than " + std::to_string(limits::kOpenBrackets) + " brackets are open at once");
     return nullptr;
   }
   auto document = std::make_unique<Document>(file);
