@@ -105,6 +105,7 @@ class PlanWriter {
       out_ += "null";
       return;
     }
+    value += 0.0;  // -0 is 0
     std::array<char, 32> text{};
     // Counts are easier to read without an exponent.
     constexpr double kLargestCount = 1e15;
