@@ -91,9 +91,8 @@ Twist<D> Advancement<D>::velocity(Traveller<D>& traveller, const Pair<D>& pair, 
 }
 
 template <int D>
-void Advancement<D>::cover_along_normal(const Pair<D>& pair, const Placed<D>& a,
-                                        const Placed<D>& b, double back, double forward,
-                                        Cover& cover) {
+void Advancement<D>::cover_along_normal(const Pair<D>& pair, const Placed<D>& a, const Placed<D>& b,
+                                        double back, double forward, Cover& cover) {
   const Vec<D>& n = pair.normal;
   const Twist<D> va = velocity(first, pair, pair.a, a.frame.t);
   Twist<D> vb;
@@ -150,8 +149,8 @@ void Advancement<D>::start() {
   intervals_.push_back({0, 1, 0, pairs.size()});
 }
 
-// Looks at the middle, and leaves what that does not prove: pairs and stretches before and after it.
-// True where a pair is in contact there.
+// Looks at the middle, and leaves what that does not prove: pairs and stretches before and after
+// it. True where a pair is in contact there.
 template <int D>
 bool Advancement<D>::split(const Interval& way, Interval& before, Interval& after) {
   const double middle = 0.5 * (way.low + way.high);

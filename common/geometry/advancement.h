@@ -1,11 +1,11 @@
 // Proofs that pairs of moving convex pieces keep apart throughout linear motions, or up to when:
-// conservative advancement (Mirtich 1996), with bounds on motion per pair of pieces (Schwarzer, Saha
-// and Latombe 2005) and, where those are too coarse, along the separating direction to second
+// conservative advancement (Mirtich 1996), with bounds on motion per pair of pieces (Schwarzer,
+// Saha and Latombe 2005) and, where those are too coarse, along the separating direction to second
 // order: pieces that pass or part are then proved in a few steps, and contact is approached like
 // Newton's method does.
 //
-// The way of the motion is a number u in [0, 1]. One Advancement serves one query at a time and keeps
-// its memory for the next: a thread has one per dimension.
+// The way of the motion is a number u in [0, 1]. One Advancement serves one query at a time and
+// keeps its memory for the next: a thread has one per dimension.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ namespace accord {
 template <int D>
 struct Pair {
   enum class Other : unsigned char { kSame, kSecond, kFixed };
-  int a;             // piece of the first traveller
-  int b;             // piece of the first or second traveller, or fixed piece
+  int a;  // piece of the first traveller
+  int b;  // piece of the first or second traveller, or fixed piece
   Other other;
-  int ancestor = 0;  // kSame: the link in whose coordinates both move
-  double keep = 0;   // m, between the cores: radii and rounding included
-  double speed = 0;  // m, how fast they can close, per unit of u
-  double bend = 0;   // m, how much that can change, per unit of u
-  double from = 0;   // march: proved up to here
+  int ancestor = 0;                // kSame: the link in whose coordinates both move
+  double keep = 0;                 // m, between the cores: radii and rounding included
+  double speed = 0;                // m, how fast they can close, per unit of u
+  double bend = 0;                 // m, how much that can change, per unit of u
+  double from = 0;                 // march: proved up to here
   Vec<D> normal = Vec<D>::Zero();  // from the last look
 };
 
@@ -44,9 +44,9 @@ class Advancement {
   std::vector<Pair<D>> pairs;
   std::vector<Swing> swings;       // scratch for whoever fills the pairs
   std::vector<Extent<D>> extents;  // likewise
-  std::uint64_t distances = 0;  // distance queries made; whoever reads it sets it back
+  std::uint64_t distances = 0;     // distance queries made; whoever reads it sets it back
 
-  void move_to(double u);  // both travellers
+  void move_to(double u);                       // both travellers
   const Placed<D>& other(const Pair<D>& pair);  // the second piece, where it is now
 
   // Whether all pairs keep apart over [0, 1]. Looks at the middle first, so that a collision far

@@ -21,8 +21,8 @@ struct ChainLink {
   int parent = -1;                      // -1: the root
   JointType joint = JointType::kFixed;  // kFixed: the root of an arm
   int dof = -1;
-  double sign = 1;               // planar: -1 where the joint's axis points down
-  Frame<D> origin;               // in the parent's frame, at q = 0
+  double sign = 1;                // planar: -1 where the joint's axis points down
+  Frame<D> origin;                // in the parent's frame, at q = 0
   Vec<D> slide = Vec<D>::Zero();  // prismatic: direction in the parent's frame, unit
 
   // For bounds on motion.
@@ -32,8 +32,8 @@ struct ChainLink {
 
 // A bound on how a link moves while q goes linearly from one configuration to another, per unit of
 // the way: |velocity of its origin| <= speed; angular velocity = a part of norm <= base_turn plus
-// `turn` about the link's own axis; |acceleration of its origin| <= bend; |derivative of the angular
-// velocity| <= turn_bend. A root's translation is left out (ChainMotion::drift).
+// `turn` about the link's own axis; |acceleration of its origin| <= bend; |derivative of the
+// angular velocity| <= turn_bend. A root's translation is left out (ChainMotion::drift).
 struct Swing {
   double speed = 0;
   double base_turn = 0;
@@ -74,7 +74,7 @@ class Chain {
   std::span<const ChainLink<D>> links() const { return links_; }
   std::span<const ChainPiece<D>> pieces() const { return pieces_; }
   std::span<const SelfPair> self_pairs() const { return self_pairs_; }  // by ancestor
-  std::span<const double> reach() const { return reach_; }  // CollisionWorld::reach
+  std::span<const double> reach() const { return reach_; }              // CollisionWorld::reach
   bool mobile() const { return kind_ != RobotKind::kArm; }
   bool turns() const { return !mobile() || kind_ == RobotKind::kFootprint; }
   // Discs and balls: the radius; negative for the rest.

@@ -63,7 +63,9 @@ Frame<3> relative(const Frame<3>& base, const Frame<3>& frame) {
 }
 
 // How a revolute axis (z of `origin`) lies to its parent's (z): what ChainLink says.
-void compare_axes(ChainLink<2>& link) { link.parallel = 1; }
+void compare_axes(ChainLink<2>& link) {
+  link.parallel = 1;
+}
 
 void compare_axes(ChainLink<3>& link) {
   constexpr double kParallel = 1e-6;  // rad

@@ -22,12 +22,20 @@ Frame<3> turned(const Frame<3>& base, const ChainLink<3>& link, double q) {
   return frame;
 }
 
-double spin(const ChainLink<2>& link, const Frame<2>&, double rate) { return link.sign * rate; }
-Vec<3> spin(const ChainLink<3>&, const Frame<3>& frame, double rate) { return rate * frame.axis(); }
+double spin(const ChainLink<2>& link, const Frame<2>&, double rate) {
+  return link.sign * rate;
+}
+Vec<3> spin(const ChainLink<3>&, const Frame<3>& frame, double rate) {
+  return rate * frame.axis();
+}
 
 // Distance from the turning axis of the frame that v is given in.
-double across(const Vec<2>& v) { return v.norm(); }
-double across(const Vec<3>& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
+double across(const Vec<2>& v) {
+  return v.norm();
+}
+double across(const Vec<3>& v) {
+  return std::sqrt(v.x() * v.x() + v.y() * v.y());
+}
 
 // Bounds are products and sums of a few numbers; this covers their rounding.
 constexpr double kRoundUp = 1 + 1e-12;
@@ -142,8 +150,7 @@ void Chain<D>::swings(const double* from, const double* to, int root, Swing* swi
 template <int D>
 Pace Chain<D>::pace(const ChainPiece<D>& piece, const Swing& swing) const {
   const double turning = swing.base_turn + std::abs(swing.turn);
-  const double swept =
-      swing.base_turn * piece.reach + std::abs(swing.turn) * piece.reach_across;
+  const double swept = swing.base_turn * piece.reach + std::abs(swing.turn) * piece.reach_across;
   return {(swing.speed + swept) * kRoundUp,
           (swing.bend + swing.turn_bend * piece.reach + turning * swept) * kRoundUp};
 }

@@ -10,12 +10,16 @@
 namespace accord {
 namespace {
 
-Vec3 point(ConfigurationView q, bool planar) { return {q[0], q[1], planar ? 0.0 : q[2]}; }
+Vec3 point(ConfigurationView q, bool planar) {
+  return {q[0], q[1], planar ? 0.0 : q[2]};
+}
 
 Aabb in_space(const Extent<2>& e) {
   return {{e.min.x(), e.min.y(), 0}, {e.max.x(), e.max.y(), 0}};
 }
-Aabb in_space(const Extent<3>& e) { return {e.min, e.max}; }
+Aabb in_space(const Extent<3>& e) {
+  return {e.min, e.max};
+}
 
 }  // namespace
 
@@ -57,8 +61,7 @@ std::optional<Fault> CollisionWorld::fault(RobotId robot, ConfigurationView q) c
   return impl_->ask([&](const auto& core) { return core.fault(robot, q); });
 }
 
-bool CollisionWorld::motion_is_free(RobotId robot, ConfigurationView a,
-                                    ConfigurationView b) const {
+bool CollisionWorld::motion_is_free(RobotId robot, ConfigurationView a, ConfigurationView b) const {
   return impl_->ask([&](const auto& core) { return core.motion_is_free(robot, a, b); });
 }
 
@@ -67,13 +70,12 @@ std::optional<double> CollisionWorld::first_fault(RobotId robot, ConfigurationVi
   return impl_->ask([&](const auto& core) { return core.first_fault(robot, a, b); });
 }
 
-double CollisionWorld::obstacle_distance(RobotId robot, ConfigurationView q,
-                                         double cutoff) const {
+double CollisionWorld::obstacle_distance(RobotId robot, ConfigurationView q, double cutoff) const {
   return impl_->ask([&](const auto& core) { return core.obstacle_distance(robot, q, cutoff); });
 }
 
-double CollisionWorld::separation(RobotId a, ConfigurationView qa, RobotId b,
-                                  ConfigurationView qb, double cutoff) const {
+double CollisionWorld::separation(RobotId a, ConfigurationView qa, RobotId b, ConfigurationView qb,
+                                  double cutoff) const {
   return impl_->ask([&](const auto& core) { return core.separation(a, qa, b, qb, cutoff); });
 }
 
@@ -107,7 +109,9 @@ std::optional<double> CollisionWorld::first_contact(RobotId a, const Motion& mot
   return motion_a.t0 + *u * (motion_a.t1 - motion_a.t0);
 }
 
-double CollisionWorld::required_separation() const { return scene_->clearance + margin_; }
+double CollisionWorld::required_separation() const {
+  return scene_->clearance + margin_;
+}
 
 Aabb CollisionWorld::swept_bounds(RobotId robot, ConfigurationView a, ConfigurationView b) const {
   return impl_->ask([&](const auto& core) { return in_space(core.swept_bounds(robot, a, b)); });

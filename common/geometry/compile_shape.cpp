@@ -12,7 +12,9 @@
 namespace accord {
 namespace {
 
-Frame<2> frame_along(const Vec2& center, const Vec2& axis) { return {axis.x(), axis.y(), center}; }
+Frame<2> frame_along(const Vec2& center, const Vec2& axis) {
+  return {axis.x(), axis.y(), center};
+}
 
 Piece<2> point(const Vec2& center, double radius) {
   Piece<2> piece;

@@ -13,7 +13,9 @@ namespace {
 using V = Vec<2>;
 using Result = Gap<2>;
 
-double cross(const V& a, const V& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const V& a, const V& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 // From the vector between closest points. Below `kTouching` it is all rounding.
 constexpr double kTouching = 1e-13;

@@ -72,8 +72,7 @@ Result segments(const Placed<3>& a, const Placed<3>& b) {
 Result segment_to_box(const Placed<3>& segment, const Placed<3>& box) {
   const V center = box.frame.inverse(segment.frame.t);
   const V axis = box.frame.unrotate(segment.frame.axis());
-  const double t =
-      closest_to_box<3>(center, axis, segment.piece->half.x(), box.piece->half);
+  const double t = closest_to_box<3>(center, axis, segment.piece->half.x(), box.piece->half);
   return between(box.frame.rotate(to_box<3>(center + t * axis, box.piece->half)));
 }
 

@@ -15,7 +15,9 @@ struct Feature {
   double squared;
 };
 
-Feature vertex(const V& a) { return {{a, a, a}, 1, a, a.squaredNorm()}; }
+Feature vertex(const V& a) {
+  return {{a, a, a}, 1, a, a.squaredNorm()};
+}
 
 Feature segment(const V& a, const V& b) {
   const V ab = b - a;
@@ -27,7 +29,9 @@ Feature segment(const V& a, const V& b) {
   return {{a, b, b}, 2, closest, closest.squaredNorm()};
 }
 
-const Feature& nearer(const Feature& p, const Feature& q) { return q.squared < p.squared ? q : p; }
+const Feature& nearer(const Feature& p, const Feature& q) {
+  return q.squared < p.squared ? q : p;
+}
 
 // By the regions of Ericson, Real-Time Collision Detection, 5.1.5; where the origin projects into
 // the triangle, its distance comes from the plane, which cancels less than the corners.
@@ -81,8 +85,8 @@ bool reduce_to_closest(GjkSimplex& simplex, V& closest) {
     default: {
       best.squared = std::numeric_limits<double>::infinity();
       bool outside = false;
-      for (const auto& f : {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1},
-                            {1, 2, 3, 0}}) {
+      for (const auto& f :
+           {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}}) {
         if (!beyond(p[f[0]], p[f[1]], p[f[2]], p[f[3]])) continue;
         outside = true;
         best = nearer(best, triangle(p[f[0]], p[f[1]], p[f[2]]));

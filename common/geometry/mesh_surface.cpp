@@ -156,7 +156,9 @@ void MeshSurface::Tree::search(int i, const Tree& other, int j, const Frame<3>& 
   }
 }
 
-Vec3 MeshSurface::some_point() const { return tree_->vertices[tree_->triangles.front()[0]]; }
+Vec3 MeshSurface::some_point() const {
+  return tree_->vertices[tree_->triangles.front()[0]];
+}
 
 double MeshSurface::distance(const Frame<3>& frame, const Placed<3>& core,
                              const Wanted& wanted) const {

@@ -1,7 +1,7 @@
-// A triangle surface with a hierarchy of boxes (FCL's BVHModel), for distances that are lower bounds
-// whatever happens: boxes are compared exactly, triangles by gjk.h. FCL's own mesh distance is
-// not used, since it overestimates (platform.md), which no certificate survives.
-// Immutable; const members may be called concurrently.
+// A triangle surface with a hierarchy of boxes (FCL's BVHModel), for distances that are lower
+// bounds whatever happens: boxes are compared exactly, triangles by gjk.h. FCL's own mesh distance
+// is not used, since it overestimates (platform.md), which no certificate survives. Immutable;
+// const members may be called concurrently.
 #pragma once
 
 #include <memory>
@@ -19,9 +19,9 @@ class MeshSurface {
   MeshSurface(const MeshSurface&) = delete;
   MeshSurface& operator=(const MeshSurface&) = delete;
 
-  const Vec3& center() const { return center_; }        // of its box, in the mesh's coordinates
-  const Vec3& half_extents() const { return half_; }    // of its box
-  double bound() const { return bound_; }               // of its vertices' distance from the centre
+  const Vec3& center() const { return center_; }      // of its box, in the mesh's coordinates
+  const Vec3& half_extents() const { return half_; }  // of its box
+  double bound() const { return bound_; }             // of its vertices' distance from the centre
   bool closed() const { return closed_; }
 
   Vec3 some_point() const;  // a vertex, about the centre

@@ -27,10 +27,10 @@ inline constexpr int kMaxVertices = 8;
 template <int D>
 struct Piece {
   Core core = Core::kPoint;
-  double radius = 0;                // m, rounds the core
-  double bound = 0;                 // m, the core lies within this distance of frame.t
-  Vec<D> half = Vec<D>::Zero();     // see Core
-  Frame<D> frame;                   // in the link's frame; frame.t is the piece's centre
+  double radius = 0;             // m, rounds the core
+  double bound = 0;              // m, the core lies within this distance of frame.t
+  Vec<D> half = Vec<D>::Zero();  // see Core
+  Frame<D> frame;                // in the link's frame; frame.t is the piece's centre
   std::array<Vec<2>, kMaxVertices> vertices{};  // kPolygon; in the piece's frame
   int vertex_count = 0;
   std::shared_ptr<const MeshSurface> mesh;  // kMesh; in the piece's frame

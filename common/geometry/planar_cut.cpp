@@ -13,8 +13,9 @@ tl::unexpected<std::string> misses() {
 }
 
 tl::unexpected<std::string> oblique(const char* what) {
-  return tl::unexpected<std::string>(std::string("stands at an angle to the plane z = 0, where a ") +
-                                     what + " must be upright or lie in the plane");
+  return tl::unexpected<std::string>(
+      std::string("stands at an angle to the plane z = 0, where a ") + what +
+      " must be upright or lie in the plane");
 }
 
 // Half the width of a ball's cut at height z; negative where they do not meet.
@@ -124,9 +125,9 @@ Cut cut(const Box& box, const Pose& pose) {
   const Vec3 half = box.size / 2;
   std::array<Vec3, 8> corners;
   for (unsigned i = 0; i < 8; ++i) {
-    corners[i] = pose * Vec3((i & 1U) != 0 ? half.x() : -half.x(),
-                             (i & 2U) != 0 ? half.y() : -half.y(),
-                             (i & 4U) != 0 ? half.z() : -half.z());
+    corners[i] =
+        pose * Vec3((i & 1U) != 0 ? half.x() : -half.x(), (i & 2U) != 0 ? half.y() : -half.y(),
+                    (i & 4U) != 0 ? half.z() : -half.z());
   }
   std::vector<Vec2> points;  // where edges cross the plane, and corners in it
   for (unsigned i = 0; i < 8; ++i) {

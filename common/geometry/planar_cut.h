@@ -34,10 +34,10 @@ using PlanarShape = std::variant<PlanarDisc, PlanarCapsule, PlanarPolygon>;
 // What is cut then is the exact cut or contains it.
 inline constexpr double kPlanarTilt = 1e-5;  // rad
 
-// The cut of `shape` at `pose` (which maps the shape's frame to one whose z = 0 is the plane). Boxes
-// may stand at any angle; cylinders and capsules upright or lying in the plane. Otherwise, and for
-// meshes and shapes that do not meet the plane: a sentence without its subject, such as "does not
-// meet the plane z = 0".
+// The cut of `shape` at `pose` (which maps the shape's frame to one whose z = 0 is the plane).
+// Boxes may stand at any angle; cylinders and capsules upright or lying in the plane. Otherwise,
+// and for meshes and shapes that do not meet the plane: a sentence without its subject, such as
+// "does not meet the plane z = 0".
 tl::expected<PlanarShape, std::string> planar_cut(const Shape& shape, const Pose& pose);
 
 }  // namespace accord

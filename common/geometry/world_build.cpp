@@ -43,7 +43,8 @@ WorldCore<D>::WorldCore(const Scene& scene, double margin) : scene_(&scene), mar
   chains_.reserve(scene.robots.size());
   for (const Robot& robot : scene.robots) chains_.emplace_back(robot, meshes);
   for (const auto& chain : chains_) {
-    for (const auto& p : chain.pieces()) solids_ = solids_ || (p.piece.mesh && p.piece.mesh->closed());
+    for (const auto& p : chain.pieces())
+      solids_ = solids_ || (p.piece.mesh && p.piece.mesh->closed());
   }
   add_obstacles(scene);
   tree_ = BoxTree<D>(fixed_extents_);

@@ -82,8 +82,8 @@ class WorldCore {
   std::vector<Extent<D>> fixed_extents_;
   BoxTree<D> tree_;
   std::optional<Extent<D>> bounds_;
-  bool solids_ = false;            // some piece is a closed mesh
-  std::vector<char> near_fixed_;   // by robot: an arm may reach obstacles or bounds
+  bool solids_ = false;           // some piece is a closed mesh
+  std::vector<char> near_fixed_;  // by robot: an arm may reach obstacles or bounds
   mutable QueryCounter counter_;
 };
 

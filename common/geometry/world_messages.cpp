@@ -9,8 +9,12 @@
 namespace accord {
 namespace {
 
-Vec3 in_space(const Vec<2>& p) { return {p.x(), p.y(), 0}; }
-Vec3 in_space(const Vec<3>& p) { return p; }
+Vec3 in_space(const Vec<2>& p) {
+  return {p.x(), p.y(), 0};
+}
+Vec3 in_space(const Vec<3>& p) {
+  return p;
+}
 
 const std::string& body_name(const Scene& scene, RobotId robot, int body) {
   return scene.robot(robot).model->bodies[static_cast<std::size_t>(body)].name;
@@ -27,8 +31,7 @@ Fault WorldCore<D>::fault_between(const Placed<D>& a, const Placed<D>& b, Fault:
     return fault;
   }
   const bool inside = solids_ && (contains(a, b) || contains(b, a));
-  const double distance =
-      inside ? 0.0 : gap(a, b, Wanted{}, Vec<D>(Vec<D>::Zero())).distance;
+  const double distance = inside ? 0.0 : gap(a, b, Wanted{}, Vec<D>(Vec<D>::Zero())).distance;
   fault.gap = distance > 0 ? distance - radii : -overlap(a, b);
   return fault;
 }
@@ -88,8 +91,8 @@ std::optional<Fault> WorldCore<D>::fault(RobotId robot, ConfigurationView q) con
     const Placed<D>& b = work.other(pair);
     const bool self = pair.other == Pair<D>::Other::kSame;
     const bool wall = !self && b.piece->core == Core::kHalfSpace;
-    Fault fault = fault_between(a, b, self ? Fault::Kind::kSelf
-                                           : (wall ? Fault::Kind::kBounds : Fault::Kind::kObstacle));
+    Fault fault = fault_between(
+        a, b, self ? Fault::Kind::kSelf : (wall ? Fault::Kind::kBounds : Fault::Kind::kObstacle));
     const double slack = fault.gap - (pair.keep - a.piece->radius - b.piece->radius);
     if (worst && slack >= worst_slack) continue;
     worst_slack = slack;

@@ -120,8 +120,8 @@ void WorldCore<D>::add_fixed_pairs(RobotId robot, Work& work) const {
   }
 }
 
-// Discs and balls sweep capsules, so that one distance settles a whole motion; only what the capsule
-// touches is left to be advanced against.
+// Discs and balls sweep capsules, so that one distance settles a whole motion; only what the
+// capsule touches is left to be advanced against.
 template <int D>
 bool WorldCore<D>::add_disc_pairs(RobotId robot, bool only_one, Work& work) const {
   const double radius = chains_[robot.index()].radius();
@@ -182,7 +182,8 @@ void WorldCore<D>::add_robot_pairs(Work& work) const {
   second.move_to(0.5);
   const auto a_pieces = first.chain().pieces();
   const auto b_pieces = second.chain().pieces();
-  // Balls about the pieces' centres that hold them all the way; b moves, as seen from a, with drift.
+  // Balls about the pieces' centres that hold them all the way; b moves, as seen from a, with
+  // drift.
   const double drift = (second.drift() - first.drift()).norm();
   work.extents.resize(b_pieces.size());
   Extent<D> all = Extent<D>::nothing();
@@ -209,8 +210,8 @@ void WorldCore<D>::add_robot_pairs(Work& work) const {
       pair.keep = apart_ + a_pieces[i].piece.radius + b_pieces[j].piece.radius;
       pair.speed = pace.speed + other.speed + drift;
       pair.bend = pace.bend + other.bend;
-      const double far = a_pieces[i].piece.bound + b_pieces[j].piece.bound + pair.keep +
-                         pair.speed / 2;
+      const double far =
+          a_pieces[i].piece.bound + b_pieces[j].piece.bound + pair.keep + pair.speed / 2;
       if ((work.extents[j].min - center).squaredNorm() <= far * far) work.pairs.push_back(pair);
     }
   }

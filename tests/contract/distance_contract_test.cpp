@@ -135,8 +135,8 @@ std::vector<NamedShape> planar_shapes() {
           {"square", Box{Vec3(0.4, 0.4, 0.2)}},
           {"bar", Box{Vec3(1.0, 0.02, 0.2)}},
           {"triangle", Polygon{{{-0.3, -0.2}, {0.5, -0.2}, {0.1, 0.4}}}},
-          {"hexagon", Polygon{{{0.4, 0}, {0.2, 0.3}, {-0.2, 0.3}, {-0.4, 0}, {-0.2, -0.3},
-                               {0.2, -0.3}}}}};
+          {"hexagon",
+           Polygon{{{0.4, 0}, {0.2, 0.3}, {-0.2, 0.3}, {-0.4, 0}, {-0.2, -0.3}, {0.2, -0.3}}}}};
 }
 
 std::vector<NamedShape> spatial_shapes() {
@@ -167,19 +167,18 @@ TEST_P(DistanceContract, IsNeverTooLargeAndTight) {
                                                    planar, placement, cases);
       EXPECT_EQ(report.overestimates, 0)
           << shapes[i].name << " to " << shapes[j].name << " by " << report.worst_over;
-      EXPECT_EQ(report.loose, 0)
-          << shapes[i].name << " to " << shapes[j].name << " by " << report.worst_loose;
+      EXPECT_EQ(report.loose, 0) << shapes[i].name << " to " << shapes[j].name << " by "
+                                 << report.worst_loose;
       EXPECT_GT(report.judged, report.cases / 2) << shapes[i].name << " to " << shapes[j].name;
     }
   }
 }
 
 std::string placement_name(const testing::TestParamInfo<Case>& c) {
-  constexpr std::array<const char*, 6> kNames{"random", "far", "grid", "touching", "deep",
-                                              "parallel"};
+  constexpr std::array<const char*, 6> kNames{"random",   "far",  "grid",
+                                              "touching", "deep", "parallel"};
   const auto [planar, placement] = c.param;
-  return std::string(planar ? "planar_" : "spatial_") +
-         kNames[static_cast<std::size_t>(placement)];
+  return std::string(planar ? "planar_" : "spatial_") + kNames[static_cast<std::size_t>(placement)];
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DistanceContract,

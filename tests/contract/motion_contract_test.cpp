@@ -1,5 +1,5 @@
-// CollisionWorld's proofs about motions, held against dense sampling with textbook geometry: what is
-// proved free never samples as a contact, and where a proof ends there is a contact.
+// CollisionWorld's proofs about motions, held against dense sampling with textbook geometry: what
+// is proved free never samples as a contact, and where a proof ends there is a contact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,13 +25,15 @@ constexpr double kTight = kPlanningMargin + 3 * kContactResolution + 1e-8;
 struct Scenario {
   std::string name;
   std::function<std::shared_ptr<const Scene>()> make;
-  double span;    // of start positions and headings
-  double step;    // of motions, per degree of freedom
+  double span;  // of start positions and headings
+  double step;  // of motions, per degree of freedom
   int motions;
   int samples;
 };
 
-std::ostream& operator<<(std::ostream& out, const Scenario& s) { return out << s.name; }
+std::ostream& operator<<(std::ostream& out, const Scenario& s) {
+  return out << s.name;
+}
 
 std::string name_of(const testing::TestParamInfo<Scenario>& scenario) {
   return scenario.param.name;
@@ -101,11 +103,10 @@ TEST_P(TwoRobots, KeepApartAsLongAsProvedAndNoLonger) {
 INSTANTIATE_TEST_SUITE_P(
     Planar, TwoRobots,
     testing::Values(
-        Scenario{"discs",
-                 [] {
-                   return SceneBuilder(true).clearance(0.1).add(disk(0.5)).add(disk(0.3)).build();
-                 },
-                 2, 4, 400, 50},
+        Scenario{
+            "discs",
+            [] { return SceneBuilder(true).clearance(0.1).add(disk(0.5)).add(disk(0.3)).build(); },
+            2, 4, 400, 50},
         Scenario{"rectangles",
                  [] {
                    return SceneBuilder(true)
@@ -150,25 +151,21 @@ INSTANTIATE_TEST_SUITE_P(
                        .build();
                  },
                  0, 3, 300, 100},
-        Scenario{"arm_and_disc",
-                 [] {
-                   return SceneBuilder(true)
-                       .clearance(0.03)
-                       .add(planar_arm())
-                       .add(disk(0.3))
-                       .build();
-                 },
-                 3, 1, 200, 30}),
+        Scenario{
+            "arm_and_disc",
+            [] {
+              return SceneBuilder(true).clearance(0.03).add(planar_arm()).add(disk(0.3)).build();
+            },
+            3, 1, 200, 30}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Spatial, TwoRobots,
     testing::Values(
-        Scenario{"balls",
-                 [] {
-                   return SceneBuilder(false).clearance(0.1).add(ball(0.5)).add(ball(0.3)).build();
-                 },
-                 1.5, 3, 400, 50},
+        Scenario{
+            "balls",
+            [] { return SceneBuilder(false).clearance(0.1).add(ball(0.5)).add(ball(0.3)).build(); },
+            1.5, 3, 400, 50},
         Scenario{"six_joint_arms",
                  [] {
                    return SceneBuilder(false)
@@ -314,7 +311,8 @@ INSTANTIATE_TEST_SUITE_P(
         Scenario{"rectangle",
                  [] { return planar_room().add(footprint(rectangle(0.8, 0.3))).build(); }, 2.7, 1,
                  300, 30},
-        Scenario{"ell", [] { return planar_room().add(footprint(ell())).build(); }, 2.7, 1, 300, 30},
+        Scenario{"ell", [] { return planar_room().add(footprint(ell())).build(); }, 2.7, 1, 300,
+                 30},
         Scenario{"arm", [] { return planar_room().add(planar_arm()).build(); }, 0, 0.4, 300, 20}),
     name_of);
 

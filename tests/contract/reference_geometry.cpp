@@ -148,8 +148,8 @@ struct Maker {
   }
   Sets operator()(const Capsule& s) const {
     const Vec3 reach = pose.linear().col(2) * (s.length / 2);
-    return one(std::make_unique<Stick>(pose.translation() - reach, pose.translation() + reach,
-                                       s.radius));
+    return one(
+        std::make_unique<Stick>(pose.translation() - reach, pose.translation() + reach, s.radius));
   }
   Sets operator()(const Cylinder& s) const {
     if (planar) return one(std::make_unique<Ball>(pose.translation(), s.radius));
@@ -255,8 +255,8 @@ std::vector<Sets> bodies(const Scene& scene, RobotId robot, ConfigurationView q)
   const std::vector<Pose> poses = link_poses(scene.robot(robot), q);
   std::vector<Sets> result;
   for (const Body& body : scene.robot(robot).model->bodies) {
-    result.push_back(sets_of(body.shape, poses[static_cast<std::size_t>(body.link)] * body.pose,
-                             scene.planar));
+    result.push_back(
+        sets_of(body.shape, poses[static_cast<std::size_t>(body.link)] * body.pose, scene.planar));
   }
   return result;
 }

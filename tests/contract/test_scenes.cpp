@@ -26,7 +26,8 @@ std::shared_ptr<RobotModel> empty_arm(std::size_t links) {
 }
 
 void body(RobotModel& model, int link, Shape shape, const Pose& pose) {
-  model.bodies.push_back({model.links[static_cast<std::size_t>(link)], link, std::move(shape), pose});
+  model.bodies.push_back(
+      {model.links[static_cast<std::size_t>(link)], link, std::move(shape), pose});
 }
 
 }  // namespace
@@ -85,8 +86,7 @@ std::shared_ptr<const RobotModel> planar_arm() {
   for (int i = 1; i <= 3; ++i) {
     const double limit = i == 1 ? 3.1 : 2.6;
     model->dofs.push_back({"q" + std::to_string(i), -limit, limit, 1, false});
-    model->joints.push_back(
-        revolute(i - 1, i, at(i == 1 ? 0 : 1, 0), Vec3::UnitZ(), i - 1));
+    model->joints.push_back(revolute(i - 1, i, at(i == 1 ? 0 : 1, 0), Vec3::UnitZ(), i - 1));
     body(*model, i, Box{Vec3(1, 0.12, 0.12)}, at(0.5, 0));
     model->may_touch.insert({i - 1, i});
   }
@@ -96,7 +96,7 @@ std::shared_ptr<const RobotModel> planar_arm() {
 std::shared_ptr<const RobotModel> six_joint_arm() {
   auto model = empty_arm(7);
   const std::vector<double> heights{0.13, 0.11, 0.40, 0.20, 0.17, 0.10};
-  const std::vector<Cylinder> shapes{{0.075, 0.12}, {0.07, 0.1},   {0.055, 0.4}, {0.045, 0.2},
+  const std::vector<Cylinder> shapes{{0.075, 0.12}, {0.07, 0.1},  {0.055, 0.4}, {0.045, 0.2},
                                      {0.04, 0.16},  {0.035, 0.1}, {0.03, 0.09}};
   const std::vector<double> middles{0.06, 0.05, 0.2, 0.1, 0.08, 0.05, 0.045};
   const std::vector<double> limits{3.1, 2.0, 2.6, 3.1, 2.1, 3.1};
@@ -106,8 +106,8 @@ std::shared_ptr<const RobotModel> six_joint_arm() {
     if (i == 6) break;
     const bool pitch = i == 1 || i == 2 || i == 4;
     model->dofs.push_back({"q" + std::to_string(i), -limits[k], limits[k], 2, false});
-    model->joints.push_back(revolute(i, i + 1, at(0, 0, heights[k]),
-                                     pitch ? Vec3::UnitY() : Vec3::UnitZ(), i));
+    model->joints.push_back(
+        revolute(i, i + 1, at(0, 0, heights[k]), pitch ? Vec3::UnitY() : Vec3::UnitZ(), i));
     model->may_touch.insert({i, i + 1});
   }
   return model;
@@ -121,8 +121,8 @@ std::shared_ptr<const RobotModel> odd_arm() {
                  {"other", -kInfinity, kInfinity, 1, true}};
   model->joints = {
       revolute(0, 1, at(0, 0, 0.2, std::numbers::pi), Vec3::UnitZ(), 0),
-      {"slide", JointType::kPrismatic, 1, 2, at(0.1, 0, -0.2, 0.3, 0.2, 0.1),
-       Vec3(0.6, 0, -0.8), 1},
+      {"slide", JointType::kPrismatic, 1, 2, at(0.1, 0, -0.2, 0.3, 0.2, 0.1), Vec3(0.6, 0, -0.8),
+       1},
       {"flange", JointType::kFixed, 2, 3, at(0, 0, -0.3, 1.570796, 0, 0), Vec3::UnitZ(), -1},
       revolute(3, 4, at(0.1, 0.05, 0.1, 0, 0.4, 0), Vec3(0, 0.6, 0.8), 2),
       revolute(1, 5, at(-0.2, 0, 0), Vec3(0, 1, 0), 3),

@@ -53,7 +53,8 @@ class SceneBuilder {
     return *this;
   }
   SceneBuilder& add(std::shared_ptr<const RobotModel> model, const Pose& base = Pose::Identity()) {
-    scene_.robots.push_back(robot("r" + std::to_string(scene_.robots.size()), std::move(model), base));
+    scene_.robots.push_back(
+        robot("r" + std::to_string(scene_.robots.size()), std::move(model), base));
     return *this;
   }
   std::shared_ptr<const Scene> build() const { return std::make_shared<const Scene>(scene_); }
