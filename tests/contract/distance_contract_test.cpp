@@ -1,6 +1,8 @@
 // Every distance path (each pair of shapes, planar and spatial) against a reference that is
 // independent of it, in the placements that break distance algorithms: aligned with the grid,
 // touching, deep inside each other, nearly parallel, far from the origin.
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -227,6 +229,56 @@ TEST(WrongDistance, FailsTheContractWhereItComesFromCorners) {
   };
   EXPECT_GT(violations(wrong, Placement::kRandom), 0);
   EXPECT_GT(violations(wrong, Placement::kDeep), 0);
+}
+
+// ---- FCL as a second opinion on contact, where it can be trusted (platform.md) ----
+
+std::shared_ptr<fcl::CollisionGeometryd> fcl_shape(const Shape& shape) {
+  if (const auto* s = std::get_if<Sphere>(&shape)) return std::make_shared<fcl::Sphered>(s->radius);
+  if (const auto* s = std::get_if<Box>(&shape)) return std::make_shared<fcl::Boxd>(s->size);
+  if (const auto* s = std::get_if<Cylinder>(&shape)) {
+    return std::make_shared<fcl::Cylinderd>(s->radius, s->length);
+  }
+  if (const auto* s = std::get_if<Capsule>(&shape)) {
+    return std::make_shared<fcl::Capsuled>(s->radius, s->length);
+  }
+  const auto& surface = *std::get<Mesh>(shape).surface;
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  std::vector<fcl::Triangle> triangles;
+  for (const auto& t : surface.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  model->beginModel();
+  model->addSubModel(surface.vertices, triangles);
+  model->endModel();
+  return model;
+}
+
+TEST(FclCollide, AgreesOnWhatTouches) {
+  constexpr double kClear = 1e-6;  // nearer than this, either answer will do
+  Random random(9);
+  int touching = 0;
+  const auto shapes = spatial_shapes();
+  for (const auto& [name_a, a] : shapes) {
+    for (const auto& [name_b, b] : shapes) {
+      const auto fcl_a = fcl_shape(a);
+      const auto fcl_b = fcl_shape(b);
+      for (int k = 0; k < 40; ++k) {
+        const PlacedShape pa{a, random_pose(random, 0.4)};
+        const PlacedShape pb{b, random_pose(random, 0.4)};
+        const double distance = distance_by_gap<3>(pa, pb);
+        const fcl::CollisionObjectd oa(fcl_a, pa.pose);
+        const fcl::CollisionObjectd ob(fcl_b, pb.pose);
+        fcl::CollisionResultd result;
+        fcl::collide(&oa, &ob, fcl::CollisionRequestd(), result);
+        if (result.isCollision()) {
+          EXPECT_LT(distance, kClear) << name_a << " to " << name_b;
+          ++touching;
+        } else if (!std::holds_alternative<Mesh>(a) && !std::holds_alternative<Mesh>(b)) {
+          EXPECT_GT(distance, 0) << name_a << " to " << name_b;
+        }
+      }
+    }
+  }
+  EXPECT_GT(touching, 500);
 }
 
 // ---- Half spaces: the bounds of a scene ----
