@@ -38,9 +38,9 @@ std::vector<Diagnostic> Faults::take() {
     });
   }
   out.erase(std::unique(out.begin(), out.end()), out.end());
-  if (found_ > kept_.size()) {
+  if (full()) {
     out.push_back({main_file_, 0, "",
-                   std::to_string(found_ - kept_.size()) + " further faults are not listed"});
+                   "no more than " + std::to_string(limits::kFaults) + " faults are listed"});
   }
   found_ = 0;
   kept_.clear();

@@ -47,8 +47,8 @@ class Faults {
   // No more will be listed: whoever looks for many may stop looking.
   bool full() const;
 
-  // The faults in order of file and line, each once; the last one says how many were left out, if
-  // any were. Leaves the collector empty.
+  // The faults in order of file and line, each once; a last one says so if there was no room for
+  // more. Leaves the collector empty.
   std::vector<Diagnostic> take();
 
  private:

@@ -21,7 +21,7 @@ inline constexpr std::size_t kSceneNodes = 2'000'000;  // keys and values of a s
 inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a plan
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
-inline constexpr std::size_t kFaults = 200;            // reported one by one; more are counted
+inline constexpr std::size_t kFaults = 200;            // listed at once
 
 // Counts of a scene
 inline constexpr std::size_t kRobots = 10'000;

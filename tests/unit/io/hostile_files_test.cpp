@@ -1,5 +1,4 @@
-// Whatever files hold, they are read or refused: no crash, no hang, no memory without bound. A small
-// relative of tests/fuzz, which runs for as long as one likes.
+// Whatever files hold, they are read or refused: no crash, no hang, no memory without bound.
 #include <gtest/gtest.h>
 
 #include <array>
