@@ -166,6 +166,10 @@ std::vector<Outline> robot_outlines(const Robot& robot, ConfigurationView q, Vie
   return out;
 }
 
+Vec3 standing_point(const Robot& robot, ConfigurationView q) {
+  return link_poses(robot, q).front().translation();
+}
+
 Vec3 traced_point(const Robot& robot, ConfigurationView q) {
   const std::vector<Pose> links = link_poses(robot, q);
   if (robot.model->kind != RobotKind::kArm) return links.front().translation();

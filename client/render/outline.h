@@ -32,6 +32,9 @@ std::vector<Pose> link_poses(const Robot& robot, ConfigurationView q);
 std::vector<Outline> robot_outlines(const Robot& robot, ConfigurationView q, View view,
                                     bool planar);
 
+// Where a mobile robot is; the base of an arm.
+Vec3 standing_point(const Robot& robot, ConfigurationView q);
+
 // The point whose way is drawn as the robot's path: where a mobile robot is; the far end of an
 // arm's last body.
 Vec3 traced_point(const Robot& robot, ConfigurationView q);

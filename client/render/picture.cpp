@@ -21,7 +21,9 @@ constexpr double kPadding = 24;
 constexpr double kTitleHeight = 40;
 constexpr std::size_t kMaxNamed = 40;   // robots; with more, names would only clutter
 constexpr std::size_t kMaxGhosts = 24;  // robots whose poses along the way are shown
-constexpr int kGhosts = 6;              // poses of each
+constexpr const char* kDarkName =
+    "fill=\"#1f2430\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
+constexpr int kGhosts = 6;  // poses of each
 
 class Picture {
  public:
@@ -160,25 +162,31 @@ class Picture {
                            drawn.colour, robots_.size() > 200 ? 0.3 : 0.8));
   }
 
-  // Names inside mobile robots that are large enough for them.
+  // Names inside discs and balls that are large enough for them, on carts, and below arms' bases.
   void draw_names(const Camera& camera) {
-    svg_.open("fill=\"#fff\" text-anchor=\"middle\" font-weight=\"600\"");
+    svg_.open("text-anchor=\"middle\" font-weight=\"600\"");
     for (const DrawnRobot& drawn : robots_) {
-      if (drawn.robot.model->kind == RobotKind::kArm) continue;
-      Extent extent;
-      for (const Outline& o :
-           robot_outlines(drawn.robot, drawn.robot.start, camera.view, scene_.planar)) {
-        extent.include(o);
+      const Robot& robot = drawn.robot;
+      const Vec2 centre = camera.pixels(projected(camera.view, standing_point(robot, robot.start)));
+      if (robot.model->kind == RobotKind::kArm) {
+        draw_name(centre + Vec2(0, 16), robot.name, 11, kDarkName);
+      } else if (robot.model->kind == RobotKind::kFootprint) {
+        draw_name(centre, robot.name, 11, kDarkName);
+      } else {
+        const double radius =
+            robot_outlines(robot, robot.start, camera.view, scene_.planar).front().radius;
+        const double room = 2 * radius * camera.scale * 0.86;
+        const double size = std::min(12.0, room / (0.62 * static_cast<double>(robot.name.size())));
+        if (size >= 6) draw_name(centre, robot.name, size, "fill=\"#fff\"");
       }
-      const double room = extent.size().minCoeff() * camera.scale * 0.86;
-      const double size =
-          std::min(12.0, room / (0.62 * static_cast<double>(drawn.robot.name.size())));
-      if (size < 6) continue;
-      const Vec2 centre = camera.pixels((extent.low + extent.high) / 2);
-      svg_.text(centre + Vec2(0, size * 0.35), drawn.robot.name,
-                fmt::format("font-size=\"{:.1f}\"", size));
     }
     svg_.close();
+  }
+
+  void draw_name(const Vec2& centre, const std::string& name, double size,
+                 std::string_view attributes) {
+    svg_.text(centre + Vec2(0, size * 0.35), name,
+              fmt::format("font-size=\"{:.1f}\" {}", size, attributes));
   }
 
   const Scene& scene_;
