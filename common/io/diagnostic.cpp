@@ -20,7 +20,9 @@ void Faults::add(std::string_view file, int line, std::string_view key, std::str
   }
 }
 
-bool Faults::full() const { return kept_.size() >= limits::kFaults; }
+bool Faults::full() const {
+  return kept_.size() >= limits::kFaults;
+}
 
 std::vector<Diagnostic> Faults::take() {
   // Other files keep the order in which they were found.
@@ -33,9 +35,8 @@ std::vector<Diagnostic> Faults::take() {
     const auto from = static_cast<std::ptrdiff_t>(out.size());
     std::ranges::copy_if(kept_, std::back_inserter(out),
                          [&](const Diagnostic& fault) { return fault.file == file; });
-    std::stable_sort(out.begin() + from, out.end(), [](const Diagnostic& a, const Diagnostic& b) {
-      return a.line < b.line;
-    });
+    std::stable_sort(out.begin() + from, out.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
   }
   out.erase(std::unique(out.begin(), out.end()), out.end());
   if (full()) {

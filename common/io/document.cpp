@@ -4,19 +4,29 @@
 
 namespace accord {
 
-ValueKind Value::kind() const { return document_->nodes_[index_].kind; }
+ValueKind Value::kind() const {
+  return document_->nodes_[index_].kind;
+}
 
-int Value::line() const { return static_cast<int>(document_->nodes_[index_].line); }
+int Value::line() const {
+  return static_cast<int>(document_->nodes_[index_].line);
+}
 
 std::string_view Value::text() const {
   const Document::Node& node = document_->nodes_[index_];
   return std::string_view(document_->text_).substr(node.text_begin, node.text_size);
 }
 
-const std::string& Value::file() const { return document_->file_; }
+const std::string& Value::file() const {
+  return document_->file_;
+}
 
-Value::Iterator Value::begin() const { return {document_, document_->nodes_[index_].first}; }
-Value::Iterator Value::end() const { return {document_, Document::kNone}; }
+Value::Iterator Value::begin() const {
+  return {document_, document_->nodes_[index_].first};
+}
+Value::Iterator Value::end() const {
+  return {document_, Document::kNone};
+}
 
 Value::Iterator& Value::Iterator::operator++() {
   index_ = document_->nodes_[index_].next;
@@ -86,6 +96,8 @@ void Document::open(ValueKind kind, int line) {
   open_.push_back({static_cast<std::uint32_t>(nodes_.size()) - 1, kNone});
 }
 
-void Document::close() { open_.pop_back(); }
+void Document::close() {
+  open_.pop_back();
+}
 
 }  // namespace accord

@@ -22,7 +22,9 @@ std::string range_in_words(Range range) {
 
 }  // namespace
 
-Place place_of(const Value& value) { return {value.file(), value.line(), value.path()}; }
+Place place_of(const Value& value) {
+  return {value.file(), value.line(), value.path()};
+}
 
 void fault_at(const Value& value, std::string_view text, Faults& faults) {
   if (faults.full()) return faults.add(value.file(), 0, "", "");  // only counted: paths cost time
@@ -62,7 +64,8 @@ void Fields::report_unknown(const Value& key, const std::vector<std::string_view
   if (faults_.full()) return report(key, "");
   if (const auto nearest = nearest_word(key.text(), known)) meant_.push_back(*nearest);
   const std::string hint = suggestion(key.text(), known);
-  report(key, "unknown key in " + what_ + (hint.empty() ? "; expected " + alternatives(known) : hint));
+  report(key,
+         "unknown key in " + what_ + (hint.empty() ? "; expected " + alternatives(known) : hint));
 }
 
 void Fields::report(const Value& key, std::string_view text) {
@@ -82,6 +85,32 @@ std::optional<Value> Fields::require(std::string_view key, std::string_view expe
   const auto found = find(key);
   if (!found && std::ranges::find(meant_, key) == meant_.end()) {
     fault_at(map_, key, "missing from " + what_ + "; expected " + std::string(expected), faults_);
+  }
+  return found;
+}
+
+std::string_view only_kind_of(const Value& value, std::span<const std::string_view> kinds,
+                              std::string_view what, Faults& faults) {
+  std::string_view found;
+  for (auto it = value.begin(); it != value.end(); ++it) {
+    const auto kind = std::ranges::find(kinds, (*it).text());
+    ++it;
+    if (kind == kinds.end() || *kind == found) continue;
+    if (!found.empty()) {
+      fault_at(value,
+               "has both " + std::string(found) + " and " + std::string(*kind) + "; expected one " +
+                   std::string(what),
+               faults);
+      return {};
+    }
+    found = *kind;
+  }
+  if (found.empty()) {
+    const std::string_view first = value.size() > 0 ? (*value.begin()).text() : std::string_view();
+    fault_at(
+        value,
+        "expected a " + std::string(what) + ": " + alternatives(kinds) + suggestion(first, kinds),
+        faults);
   }
   return found;
 }
@@ -107,8 +136,8 @@ std::optional<double> parse_number(std::string_view text) {
   if (end != digits.data() + digits.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
     // Too small for a double is zero; too large is infinity, which no reader accepts.
-    const bool tiny = digits.find("e-") != std::string_view::npos ||
-                      digits.find("E-") != std::string_view::npos;
+    const bool tiny =
+        digits.find("e-") != std::string_view::npos || digits.find("E-") != std::string_view::npos;
     value = tiny ? 0.0 : kInfinity;
   } else if (error != std::errc()) {
     return std::nullopt;
@@ -187,8 +216,10 @@ std::optional<std::string> read_name(const Value& value, Faults& faults) {
   }
   const std::string_view text = value.text();
   if (text.size() > limits::kNameBytes) {
-    fault_at(value, "a name of " + std::to_string(text.size()) + " bytes; expected at most " +
-                        std::to_string(limits::kNameBytes), faults);
+    fault_at(value,
+             "a name of " + std::to_string(text.size()) + " bytes; expected at most " +
+                 std::to_string(limits::kNameBytes),
+             faults);
     return std::nullopt;
   }
   if (text.find_first_of("\t\r\n") != std::string_view::npos ||

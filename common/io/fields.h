@@ -1,6 +1,6 @@
 // Reading a Document's values: maps by their known keys, numbers within ranges, points, names. Each
-// function reports what is wrong with the value's file, line and path, and returns nullopt then; the
-// caller goes on, so that all faults of a file are found at once.
+// function reports what is wrong with the value's file, line and path, and returns nullopt then;
+// the caller goes on, so that all faults of a file are found at once.
 #pragma once
 
 #include <cstddef>
@@ -62,6 +62,12 @@ class Fields {
   std::vector<Entry> entries_;
   std::vector<std::string_view> meant_;  // known keys that unknown ones were taken for
 };
+
+// The one key of `value`, a map, that is among `kinds`: what kind of thing the map describes.
+// Reports none and several, and returns nothing then. `what` is what a kind is, for messages:
+// "shape".
+std::string_view only_kind_of(const Value& value, std::span<const std::string_view> kinds,
+                              std::string_view what, Faults& faults);
 
 // A finite number, as YAML 1.2 and JSON write them. Silent: for those who report themselves.
 // Infinity and NaN (".inf", ".nan") are numbers here.

@@ -31,7 +31,8 @@ class Cover {
   }
 
   bool all_left(std::size_t first, std::size_t last, std::size_t row) {
-    return std::all_of(cell(first, row), cell(last, row) + 1, [](auto value) { return value != 0; });
+    return std::all_of(cell(first, row), cell(last, row) + 1,
+                       [](auto value) { return value != 0; });
   }
 
   const Grid& grid_;

@@ -10,7 +10,7 @@ namespace accord {
 
 // Row 0 is the lowest (smallest y), column 0 the leftmost.
 struct Grid {
-  std::size_t width = 0;   // cells
+  std::size_t width = 0;  // cells
   std::size_t height = 0;
   std::vector<std::uint8_t> blocked;  // row by row; 0: free
 

@@ -127,9 +127,9 @@ std::unique_ptr<const Document> read_json(std::string_view text, const std::stri
   auto document = std::make_unique<Document>(file);
   Position position;
   Builder builder(*document, position, max_values, faults);
-  const bool read = nlohmann::json::sax_parse(CountingIterator(text.data(), &position),
-                                              CountingIterator(text.data() + text.size(), &position),
-                                              &builder);
+  const bool read =
+      nlohmann::json::sax_parse(CountingIterator(text.data(), &position),
+                                CountingIterator(text.data() + text.size(), &position), &builder);
   if (!read) return nullptr;
   return document;
 }

@@ -1,6 +1,9 @@
 #include "common/io/kinematic_tree.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "common/io/words.h"
 
@@ -51,10 +54,33 @@ std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
   if (tree.joints.size() == joints.size()) return tree;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (std::ranges::find(tree.joints, i) != tree.joints.end()) continue;
-    faults.add(joint_places[i], "part of a cycle of joints that does not hang on the root " +
-                                    name(roots[0]));
+    faults.add(joint_places[i],
+               "part of a cycle of joints that does not hang on the root " + name(roots[0]));
   }
   return std::nullopt;
+}
+
+void allow_neighbours(RobotModel& model) {
+  // The rigid group of each link: joints come parents first, so one pass is enough.
+  std::vector<int> group(model.links.size());
+  std::iota(group.begin(), group.end(), 0);
+  const auto group_of = [&](int link) { return group[static_cast<std::size_t>(link)]; };
+  for (const Joint& joint : model.joints) {
+    if (joint.type == JointType::kFixed) {
+      group[static_cast<std::size_t>(joint.child)] = group_of(joint.parent);
+    }
+  }
+  std::set<std::pair<int, int>> joined;
+  for (const Joint& joint : model.joints) {
+    joined.insert(std::minmax({group_of(joint.parent), group_of(joint.child)}));
+  }
+  const int count = static_cast<int>(model.links.size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      const auto pair = std::minmax({group_of(a), group_of(b)});
+      if (pair.first == pair.second || joined.contains(pair)) model.may_touch.insert({a, b});
+    }
+  }
 }
 
 }  // namespace accord

@@ -1,4 +1,4 @@
-// Whether links and joints form one tree, and the order of its parts.
+// Whether links and joints form one tree, the order of its parts, and who are neighbours in it.
 #pragma once
 
 #include <cstddef>
@@ -22,5 +22,9 @@ std::optional<KinematicTree> arrange_tree(const std::vector<std::string>& links,
                                           const std::vector<Place>& link_places,
                                           const std::vector<Joint>& joints,
                                           const std::vector<Place>& joint_places, Faults& faults);
+
+// Adds to may_touch the pairs of links that touch by construction: on one rigid group, or on two
+// that a movable joint joins. Requires: joints parents first.
+void allow_neighbours(RobotModel& model);
 
 }  // namespace accord

@@ -1,6 +1,6 @@
 // Every limit on what a file may hold, in one place. They bound the memory and the time that any
-// file, however hostile, can cost; they are far above what real scenes need. Reaching one is a fault
-// like any other: reported with its line, never a crash and never a silent cut.
+// file, however hostile, can cost; they are far above what real scenes need. Reaching one is a
+// fault like any other: reported with its line, never a crash and never a silent cut.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 namespace accord::limits {
 
 // Files
-inline constexpr std::size_t kSceneBytes = std::size_t{4} << 20;  // yaml-cpp takes up to 100 times as much
+inline constexpr std::size_t kSceneBytes = std::size_t{4}
+                                           << 20;  // yaml-cpp takes up to 100 times as much
 inline constexpr std::size_t kUrdfBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMeshBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMapBytes = std::size_t{64} << 20;
@@ -26,12 +27,12 @@ inline constexpr std::size_t kFaults = 200;            // listed at once
 // Counts of a scene
 inline constexpr std::size_t kRobots = 10'000;
 inline constexpr std::size_t kModels = 1'000;
-inline constexpr std::size_t kObstacles = 250'000;    // shapes, those made from maps included
+inline constexpr std::size_t kObstacles = 250'000;      // shapes, those made from maps included
 inline constexpr std::size_t kPolygonVertices = 1'000;  // of one polygon
-inline constexpr std::size_t kVertices = 200'000;     // of all polygons of a scene
-inline constexpr std::size_t kTriangles = 500'000;    // of one mesh
+inline constexpr std::size_t kVertices = 200'000;       // of all polygons of a scene
+inline constexpr std::size_t kTriangles = 500'000;      // of one mesh
 inline constexpr std::size_t kSceneTriangles = 2'000'000;
-inline constexpr std::size_t kMapSide = 16'384;       // cells
+inline constexpr std::size_t kMapSide = 16'384;  // cells
 inline constexpr std::size_t kMapCells = 16'777'216;
 inline constexpr std::size_t kLinks = 200;            // of one arm
 inline constexpr std::size_t kBodies = 1'000;         // of one arm
@@ -39,13 +40,13 @@ inline constexpr std::size_t kSceneBodies = 200'000;  // of all robots of a scen
 inline constexpr std::size_t kSrdfPairs = 20'000;
 
 // Numbers. Within these, doubles keep rounding well below the planner's margins (tolerances.h).
-inline constexpr double kCoordinate = 1e5;   // m: largest distance from the origin, along each axis
-inline constexpr double kSize = 1e5;         // m: largest extent of a shape
-inline constexpr double kMinSize = 1e-5;     // m: smallest extent of a shape
-inline constexpr double kAngle = 1e4;        // rad
-inline constexpr double kRate = 1e5;         // m/s or rad/s
-inline constexpr double kMinRate = 1e-6;     // m/s or rad/s
-inline constexpr double kTimestep = 1e3;     // s
+inline constexpr double kCoordinate = 1e5;  // m: largest distance from the origin, along each axis
+inline constexpr double kSize = 1e5;        // m: largest extent of a shape
+inline constexpr double kMinSize = 1e-5;    // m: smallest extent of a shape
+inline constexpr double kAngle = 1e4;       // rad
+inline constexpr double kRate = 1e5;        // m/s or rad/s
+inline constexpr double kMinRate = 1e-6;    // m/s or rad/s
+inline constexpr double kTimestep = 1e3;    // s
 inline constexpr double kMinTimestep = 1e-6;  // s
 
 // Plans

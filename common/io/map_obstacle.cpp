@@ -24,8 +24,10 @@ std::optional<Map> load_map(const Fields& fields, SceneContext& context) {
   const std::string extension = extension_of(*path);
   const bool ros = extension == ".yaml" || extension == ".yml";
   if (!ros && extension != ".map") {
-    fault_at(value, "expected a map that ends in .map (MovingAI) or .yaml (ROS), not " +
-                        in_quotes(value.text()), context.faults);
+    fault_at(value,
+             "expected a map that ends in .map (MovingAI) or .yaml (ROS), not " +
+                 in_quotes(value.text()),
+             context.faults);
     return std::nullopt;
   }
   std::optional<double> cell = 1;
@@ -92,14 +94,18 @@ void read_map(const Fields& fields, const std::string& name, const Pose& pose,
   const Value value = *fields.find("map");
   const double side = static_cast<double>(std::max(map->grid.width, map->grid.height)) * map->cell;
   if (side > limits::kSize) {
-    fault_at(value, "a map of " + in_words(side) + " m; expected at most " +
-                        in_words(limits::kSize) + " m", context.faults);
+    fault_at(
+        value,
+        "a map of " + in_words(side) + " m; expected at most " + in_words(limits::kSize) + " m",
+        context.faults);
     return;
   }
   const auto blocks = cover(map->grid, limits::kObstacles - obstacles.size());
   if (!blocks) {
-    fault_at(value, "the scene needs more than " + std::to_string(limits::kObstacles) +
-                        " obstacles; use a coarser map", context.faults);
+    fault_at(value,
+             "the scene needs more than " + std::to_string(limits::kObstacles) +
+                 " obstacles; use a coarser map",
+             context.faults);
     return;
   }
   obstacles.reserve(obstacles.size() + blocks->size());

@@ -64,7 +64,8 @@ bool is_closed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
 
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr double kThin = 1e-10;  // height against length
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return (b - a).cross(c - a).norm() > kThin * longest;
 }
 
@@ -100,8 +101,8 @@ TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale) {
   mesh.vertices = unique_points(corners, index_of);
   for (std::size_t i = 0; i < index_of.size(); i += 3) {
     const std::array<std::uint32_t, 3> triangle{index_of[i], index_of[i + 1], index_of[i + 2]};
-    const bool distinct = triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
-                          triangle[2] != triangle[0];
+    const bool distinct =
+        triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0];
     if (distinct) mesh.triangles.push_back(triangle);
   }
   // Slivers close gaps, so they count here, but not as parts of the surface: their neighbours'
@@ -116,7 +117,8 @@ TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale) {
 std::shared_ptr<const TriangleMesh> MeshStore::load(const std::filesystem::path& path,
                                                     const Vec3& scale, const Blame& blame,
                                                     Faults& faults) {
-  const auto [found, is_new] = meshes_.try_emplace({path.string(), {scale.x(), scale.y(), scale.z()}});
+  const auto [found, is_new] =
+      meshes_.try_emplace({path.string(), {scale.x(), scale.y(), scale.z()}});
   if (!is_new) return found->second;
   const auto soup = parse(path, blame, faults);
   if (!soup) return nullptr;
@@ -127,10 +129,10 @@ std::shared_ptr<const TriangleMesh> MeshStore::load(const std::filesystem::path&
   }
   for (const Vec3& vertex : mesh->vertices) {
     if (vertex.cwiseAbs().maxCoeff() <= limits::kCoordinate) continue;
-    faults.add(path.string(), 0, "", "a vertex at (" + in_words(vertex.x()) + ", " +
-                                         in_words(vertex.y()) + ", " + in_words(vertex.z()) +
-                                         "); expected coordinates within " +
-                                         in_words(limits::kCoordinate) + " m");
+    faults.add(path.string(), 0, "",
+               "a vertex at (" + in_words(vertex.x()) + ", " + in_words(vertex.y()) + ", " +
+                   in_words(vertex.z()) + "); expected coordinates within " +
+                   in_words(limits::kCoordinate) + " m");
     return nullptr;
   }
   found->second = std::move(mesh);

@@ -32,13 +32,14 @@ std::optional<Shape> read_body(const Value& value, std::string_view kind, SceneC
 // Whether the kind fits the scene; reports if not.
 bool fits(const Value& body, std::string_view kind, SceneContext& context) {
   if (kind == "ball" && context.space == Space::kPlanar) {
-    fault_at(body, "balls leave the plane of a planar scene; use a disk, or bounds of three numbers",
+    fault_at(body,
+             "balls leave the plane of a planar scene; use a disk, or bounds of three numbers",
              context.faults);
     return false;
   }
   if (kind != "ball" && context.space == Space::kSpatial) {
-    fault_at(body, "a " + std::string(kind) +
-                       " is for planar scenes, whose bounds have two numbers each",
+    fault_at(body,
+             "a " + std::string(kind) + " is for planar scenes, whose bounds have two numbers each",
              context.faults);
     return false;
   }

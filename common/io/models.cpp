@@ -1,6 +1,5 @@
 #include "common/io/models.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -19,27 +18,6 @@ namespace accord {
 namespace {
 
 constexpr std::array<std::string_view, 4> kKinds = {"disk", "footprint", "ball", "urdf"};
-
-std::string_view kind_of(const Value& value, Faults& faults) {
-  std::string_view found;
-  for (auto it = value.begin(); it != value.end(); ++it) {
-    const auto kind = std::ranges::find(kKinds, (*it).text());
-    ++it;
-    if (kind == kKinds.end() || *kind == found) continue;
-    if (!found.empty()) {
-      fault_at(value, "has both " + std::string(found) + " and " + std::string(*kind) +
-                          "; expected one kind of robot", faults);
-      return {};
-    }
-    found = *kind;
-  }
-  if (found.empty()) {
-    const std::string_view first = value.size() > 0 ? (*value.begin()).text() : std::string_view();
-    fault_at(value, "expected a kind of robot: " + alternatives(kKinds) + suggestion(first, kKinds),
-             faults);
-  }
-  return found;
-}
 
 // Adds what the SRDF beside the URDF says, where there is one.
 void add_srdf(std::filesystem::path path, RobotModel& model, Faults& faults) {
@@ -76,7 +54,7 @@ std::optional<RobotModel> read_arm(const Value& value, SceneContext& context) {
 std::shared_ptr<const RobotModel> read_model(const std::string& name, const Value& value,
                                              SceneContext& context) {
   if (!expect_map(value, "a model, such as {disk: 0.3, speed: 1}", context.faults)) return nullptr;
-  const std::string_view kind = kind_of(value, context.faults);
+  const std::string_view kind = only_kind_of(value, kKinds, "kind of robot", context.faults);
   if (kind.empty()) return nullptr;
   std::optional<RobotModel> model;
   if (kind == "urdf") {

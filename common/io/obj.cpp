@@ -64,7 +64,8 @@ class ObjParser {
       if (!corner) return false;
       corners.push_back(vertices_[*corner]);
       if (corners.size() > limits::kPolygonVertices) {
-        return fault("a face of more than " + std::to_string(limits::kPolygonVertices) + " corners");
+        return fault("a face of more than " + std::to_string(limits::kPolygonVertices) +
+                     " corners");
       }
     }
     if (corners.size() < 3) {
@@ -82,8 +83,8 @@ class ObjParser {
     if (index < 0) index += count + 1;
     if (error != std::errc() || end != digits.data() + digits.size() || index < 1 ||
         index > count) {
-      fault("expected the number of one of the " + std::to_string(count) + " vertices so far, not " +
-            in_quotes(word));
+      fault("expected the number of one of the " + std::to_string(count) +
+            " vertices so far, not " + in_quotes(word));
       return std::nullopt;
     }
     return static_cast<std::size_t>(index - 1);

@@ -1,6 +1,5 @@
 #include "common/io/obstacles.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -18,27 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 6> kKinds = {"box",     "sphere", "cylinder",
                                                     "polygon", "mesh",   "map"};
 
-// The one shape that an obstacle names; empty after a report.
-std::string_view kind_of(const Value& value, Faults& faults) {
-  std::string_view found;
-  for (auto it = value.begin(); it != value.end(); ++it) {
-    const auto kind = std::ranges::find(kKinds, (*it).text());
-    ++it;
-    if (kind == kKinds.end() || *kind == found) continue;
-    if (!found.empty()) {
-      fault_at(value, "has both " + std::string(found) + " and " + std::string(*kind) +
-                          "; expected one shape", faults);
-      return {};
-    }
-    found = *kind;
-  }
-  if (found.empty()) {
-    const std::string_view first = value.size() > 0 ? (*value.begin()).text() : std::string_view();
-    fault_at(value, "expected a shape: " + alternatives(kKinds) + suggestion(first, kKinds), faults);
-  }
-  return found;
-}
-
 std::vector<std::string_view> keys_of(std::string_view kind) {
   std::vector<std::string_view> keys{kind, "at", "rpy", "name"};
   if (kind == "mesh") keys.push_back("scale");
@@ -49,7 +27,7 @@ std::vector<std::string_view> keys_of(std::string_view kind) {
 void read_obstacle(const Value& value, std::size_t number, SceneContext& context,
                    std::vector<Obstacle>& obstacles) {
   if (!expect_map(value, "an obstacle, such as {box: [1, 1, 1]}", context.faults)) return;
-  const std::string_view kind = kind_of(value, context.faults);
+  const std::string_view kind = only_kind_of(value, kKinds, "shape", context.faults);
   if (kind.empty()) return;
   const Fields fields(value, "a " + std::string(kind) + " obstacle", keys_of(kind), context.faults);
   std::string name = "obstacle " + std::to_string(number) + " (" + std::string(kind) + ")";

@@ -24,11 +24,11 @@ class PlanReader {
   Plan read(const Value& root) {
     Plan plan;
     if (!expect_map(root, "a plan: an object of keys", faults_)) return plan;
-    const Fields fields(root, "a plan",
-                        {"accord", "scene", "status", "message", "method", "seed", "timestep",
-                         "planning_time", "makespan", "sum_of_costs", "sum_of_costs_timesteps",
-                         "robots", "statistics"},
-                        faults_);
+    const Fields fields(
+        root, "a plan",
+        {"accord", "scene", "status", "message", "method", "seed", "timestep", "planning_time",
+         "makespan", "sum_of_costs", "sum_of_costs_timesteps", "robots", "statistics"},
+        faults_);
     if (const auto value = fields.require("accord", kVersion); value && value->text() != kVersion) {
       fault_at(*value, "expected " + std::string(kVersion) + ", not " + value->in_words(), faults_);
       return plan;
@@ -130,14 +130,17 @@ class PlanReader {
     if (!sound || !t || !q) return false;
     if (path.empty()) path = Trajectory(q->size());
     if (q->size() != path.dof()) {
-      fault_at(*q_value, "expected " + std::to_string(path.dof()) +
-                             " numbers as in the first waypoint, not " + std::to_string(q->size()),
+      fault_at(*q_value,
+               "expected " + std::to_string(path.dof()) +
+                   " numbers as in the first waypoint, not " + std::to_string(q->size()),
                faults_);
       return false;
     }
     if (!path.empty() && *t <= path.end_time()) {
-      fault_at(*t_value, "times must increase, but " + std::string(t_value->text()) +
-                             " follows " + in_words(path.end_time()), faults_);
+      fault_at(*t_value,
+               "times must increase, but " + std::string(t_value->text()) + " follows " +
+                   in_words(path.end_time()),
+               faults_);
       return false;
     }
     path.append(*t, *q);
@@ -167,7 +170,8 @@ class PlanReader {
       PlanSegment segment{number(fields, "from", kTime), number(fields, "to", kTime),
                           read_names(fields), text(fields, "solver")};
       if (segment.to < segment.from) {
-        fault_at(*fields.find("to"), "ends before it begins, at " + in_words(segment.from), faults_);
+        fault_at(*fields.find("to"), "ends before it begins, at " + in_words(segment.from),
+                 faults_);
       }
       segments.push_back(std::move(segment));
     }

@@ -110,8 +110,9 @@ class PlanWriter {
     // Counts are easier to read without an exponent.
     constexpr double kLargestCount = 1e15;
     const bool count = std::abs(value) < kLargestCount && value == std::floor(value);
-    const auto end = count ? std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed)
-                           : std::to_chars(text.begin(), text.end(), value);
+    const auto end = count
+                         ? std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed)
+                         : std::to_chars(text.begin(), text.end(), value);
     out_.append(text.begin(), end.ptr);
   }
 
@@ -148,8 +149,12 @@ class PlanWriter {
 
 }  // namespace
 
-std::string to_json(const Plan& plan) { return PlanWriter(true).write(plan); }
+std::string to_json(const Plan& plan) {
+  return PlanWriter(true).write(plan);
+}
 
-std::string canonical_bytes(const Plan& plan) { return PlanWriter(false).write(plan); }
+std::string canonical_bytes(const Plan& plan) {
+  return PlanWriter(false).write(plan);
+}
 
 }  // namespace accord

@@ -8,7 +8,9 @@
 namespace accord {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 double point_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
@@ -32,8 +34,8 @@ bool boxes_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 bool segments_touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (boxes_apart(a, b, c, d)) return false;
   return properly_cross(a, b, c, d) ||
-         std::min({point_to_segment(a, c, d), point_to_segment(b, c, d),
-                   point_to_segment(c, a, b), point_to_segment(d, a, b)}) < kOutlineGap;
+         std::min({point_to_segment(a, c, d), point_to_segment(b, c, d), point_to_segment(c, a, b),
+                   point_to_segment(d, a, b)}) < kOutlineGap;
 }
 
 // Whether the edges a-b and b-c fold back onto each other.
@@ -96,8 +98,10 @@ std::optional<std::string> outline_fault(const std::vector<Vec2>& points) {
 std::optional<Polygon> read_polygon(const Value& value, Faults& faults) {
   if (!expect_list(value, "points [x, y]", faults)) return std::nullopt;
   if (value.size() > limits::kPolygonVertices) {
-    fault_at(value, "a polygon of " + std::to_string(value.size()) + " points; expected at most " +
-                        std::to_string(limits::kPolygonVertices), faults);
+    fault_at(value,
+             "a polygon of " + std::to_string(value.size()) + " points; expected at most " +
+                 std::to_string(limits::kPolygonVertices),
+             faults);
     return std::nullopt;
   }
   Polygon polygon;

@@ -11,7 +11,7 @@
 namespace accord {
 
 // Gaps that a polygon's outline must keep from itself, so that no rounding makes it touch itself.
-inline constexpr double kOutlineGap = 1e-7;  // m
+inline constexpr double kOutlineGap = 1e-7;    // m
 inline constexpr double kShortestEdge = 1e-6;  // m
 
 // Why the points do not make a simple polygon with an inside, in words; nullopt where they do.

@@ -23,7 +23,8 @@ Pose read_pose(const Fields& fields, Space space, Faults& faults) {
   Vec3 at = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
   if (const auto value = fields.find("at")) {
-    const auto numbers = read_numbers(*value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults);
+    const auto numbers =
+        read_numbers(*value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults);
     if (numbers) at = {(*numbers)[0], (*numbers)[1], numbers->size() > 2 ? (*numbers)[2] : 0.0};
   }
   if (const auto value = fields.find("rpy")) {

@@ -50,9 +50,10 @@ class QueryChecker {
   void report(const Side& side, RobotId id, const std::string& text) {
     const bool arm = scene_.robot(id).model->kind == RobotKind::kArm;
     const std::string word(side.word);
-    fault_at(robots_[id.index()].*side.value,
-             text + (arm ? "; choose another " + word : "; move the " + word + " or shrink the robot"),
-             faults_);
+    fault_at(
+        robots_[id.index()].*side.value,
+        text + (arm ? "; choose another " + word : "; move the " + word + " or shrink the robot"),
+        faults_);
   }
 
   std::string robot_in_words(RobotId id) const {
@@ -74,7 +75,8 @@ class QueryChecker {
            metres(clearance);
   }
 
-  // Obstacles without a name of their own are named after their place in the file: "obstacle 3 (box)".
+  // Obstacles without a name of their own are named after their place in the file: "obstacle 3
+  // (box)".
   static std::string obstacle_in_words(const std::string& name) {
     return name.starts_with("obstacle ") ? name : "obstacle " + in_quotes(name);
   }
@@ -95,11 +97,13 @@ class QueryChecker {
       case Fault::Kind::kBounds:
         return report(side, id, body + escape_in_words(world_.swept_bounds(id, q, q)));
       case Fault::Kind::kObstacle:
-        return report(side, id, body + contact_in_words(obstacle_in_words(fault->other), fault->gap,
-                                                        scene_.clearance));
+        return report(
+            side, id,
+            body + contact_in_words(obstacle_in_words(fault->other), fault->gap, scene_.clearance));
       case Fault::Kind::kSelf:
-        return report(side, id,
-                      body + contact_in_words("its own link " + in_quotes(fault->other), fault->gap, 0));
+        return report(
+            side, id,
+            body + contact_in_words("its own link " + in_quotes(fault->other), fault->gap, 0));
       case Fault::Kind::kLimit:
       case Fault::Kind::kRobot:
         return report(side, id, body + " is beyond the limit of " + in_quotes(fault->body));
@@ -123,7 +127,8 @@ class QueryChecker {
         if (boxes[order[j]].min[axis] > boxes[order[i]].max[axis]) break;
         if (!boxes[order[i]].overlaps(boxes[order[j]])) continue;
         if (faults_.full()) return;
-        check_pair(side, RobotId{std::min(order[i], order[j])}, RobotId{std::max(order[i], order[j])});
+        check_pair(side, RobotId{std::min(order[i], order[j])},
+                   RobotId{std::max(order[i], order[j])});
       }
     }
   }
@@ -143,10 +148,10 @@ class QueryChecker {
     if (world_.are_clear(first, a, second, b)) return;
     // The later robot is to blame, as one reads from the top.
     const Fault fault = world_.closest(second, b, first, a);
-    report(side, second, robot_in_words(second) +
-                             contact_in_words(robot_in_words(first) + " at its " +
-                                                  std::string(side.word),
-                                              fault.gap, scene_.clearance));
+    report(side, second,
+           robot_in_words(second) +
+               contact_in_words(robot_in_words(first) + " at its " + std::string(side.word),
+                                fault.gap, scene_.clearance));
   }
 
   const Scene& scene_;

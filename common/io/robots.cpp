@@ -20,8 +20,8 @@ std::string configuration_in_words(const RobotModel& model) {
     case RobotKind::kBall:
       return "[x, y, z]";
     case RobotKind::kArm:
-      return "a list of " + std::to_string(model.dof()) + (model.dof() == 1 ? " number" : " numbers") +
-             ", one a movable joint";
+      return "a list of " + std::to_string(model.dof()) +
+             (model.dof() == 1 ? " number" : " numbers") + ", one a movable joint";
   }
   return "";
 }
@@ -30,9 +30,11 @@ std::string configuration_in_words(const RobotModel& model) {
 bool within_limits(const Value& value, double number, const DegreeOfFreedom& dof, Faults& faults) {
   const bool below = number < dof.lower;
   if (!below && number <= dof.upper) return true;
-  fault_at(value, "joint " + in_quotes(dof.name) + " at " + in_words(number) + " is " +
-                      (below ? "below its lower limit of " : "above its upper limit of ") +
-                      in_words(below ? dof.lower : dof.upper), faults);
+  fault_at(value,
+           "joint " + in_quotes(dof.name) + " at " + in_words(number) + " is " +
+               (below ? "below its lower limit of " : "above its upper limit of ") +
+               in_words(below ? dof.lower : dof.upper),
+           faults);
   return false;
 }
 
@@ -83,7 +85,8 @@ class RobotsReader {
     const auto goal = fields.require("goal", "a configuration");
     if (!robot.model) return std::nullopt;
     robot.base = read_base(fields, *robot.model);
-    if (start) robot.start = read_configuration(*start, *robot.model, faults_).value_or(robot.start);
+    if (start)
+      robot.start = read_configuration(*start, *robot.model, faults_).value_or(robot.start);
     if (goal) robot.goal = read_configuration(*goal, *robot.model, faults_).value_or(robot.goal);
     if (faults_.count() != before) return std::nullopt;
     const auto blame = [&](std::string_view text) { fault_at(value, text, faults_); };
@@ -99,8 +102,10 @@ class RobotsReader {
     if (!name) return "";
     const auto [first, is_new] = names_.emplace(*name, value->line());
     if (!is_new) {
-      fault_at(*value, in_quotes(*name) + " is the name of another robot, in line " +
-                           std::to_string(first->second), faults_);
+      fault_at(*value,
+               in_quotes(*name) + " is the name of another robot, in line " +
+                   std::to_string(first->second),
+               faults_);
     }
     return *name;
   }
@@ -123,8 +128,10 @@ class RobotsReader {
     if (model.kind == RobotKind::kArm) return read_pose(fields, context_.space, faults_);
     for (const std::string_view key : {"at", "rpy"}) {
       if (const auto value = fields.find(key)) {
-        fault_at(*value, "a " + std::string(kind_in_words(model.kind)) +
-                             " stands where its start says; only arms have a base to place", faults_);
+        fault_at(*value,
+                 "a " + std::string(kind_in_words(model.kind)) +
+                     " stands where its start says; only arms have a base to place",
+                 faults_);
       }
     }
     return Pose::Identity();
@@ -152,8 +159,10 @@ std::vector<PlacedRobot> read_robots(const Value& list, const Models* models,
   if (!expect_list(list, "robots", context.faults)) return {};
   const std::size_t count = list.size();
   if (count == 0 || count > limits::kRobots) {
-    fault_at(list, "expected 1 to " + std::to_string(limits::kRobots) + " robots, not " +
-                       std::to_string(count), context.faults);
+    fault_at(list,
+             "expected 1 to " + std::to_string(limits::kRobots) + " robots, not " +
+                 std::to_string(count),
+             context.faults);
     return {};
   }
   return RobotsReader(models, context).read(list);

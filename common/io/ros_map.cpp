@@ -61,7 +61,8 @@ Thresholds read_thresholds(const Fields& fields, Faults& faults) {
   if (const auto value = fields.find("free_thresh")) {
     thresholds.free = read_number(*value, kThreshold, faults).value_or(0);
     if (thresholds.free > thresholds.occupied) {
-      fault_at(*value, "must not be above occupied_thresh, " + in_words(thresholds.occupied), faults);
+      fault_at(*value, "must not be above occupied_thresh, " + in_words(thresholds.occupied),
+               faults);
     }
   }
   const auto mode = fields.find("mode");
@@ -78,10 +79,10 @@ std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem
   const std::size_t before = faults.count();
   const auto document = read_yaml(text, path.string(), kMapValues, faults);
   if (!document || !expect_map(document->root(), "a map_server map", faults)) return std::nullopt;
-  const Fields fields(document->root(), "a map_server map",
-                      {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh",
-                       "mode"},
-                      faults);
+  const Fields fields(
+      document->root(), "a map_server map",
+      {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"},
+      faults);
   const Thresholds thresholds = read_thresholds(fields, faults);
   RosMap map;
   if (const auto value = fields.require("resolution", "the size of a cell in m")) {

@@ -25,14 +25,16 @@ class SceneReader {
 
   std::shared_ptr<const Scene> read(std::string_view text) {
     if (text.size() > limits::kSceneBytes) {
-      faults_.add(file_, 0, "", "larger than " + std::to_string(limits::kSceneBytes >> 20U) + " MiB");
+      faults_.add(file_, 0, "",
+                  "larger than " + std::to_string(limits::kSceneBytes >> 20U) + " MiB");
       return nullptr;
     }
     const auto document = read_yaml(text, file_, limits::kSceneNodes, faults_);
-    if (!document || !expect_map(document->root(), "a scene: a map of keys", faults_)) return nullptr;
-    const Fields fields(document->root(), "a scene",
-                        {"accord", "name", "timestep", "clearance", "environment", "models", "robots"},
-                        faults_);
+    if (!document || !expect_map(document->root(), "a scene: a map of keys", faults_))
+      return nullptr;
+    const Fields fields(
+        document->root(), "a scene",
+        {"accord", "name", "timestep", "clearance", "environment", "models", "robots"}, faults_);
     if (!check_version(fields)) return nullptr;
     read_header(fields);
     read_environment(fields);
@@ -48,7 +50,8 @@ class SceneReader {
     const auto version = fields.require("accord", std::string(kVersion));
     if (!version) return true;  // reported; the rest may still tell something
     if (version->text() == kVersion) return true;
-    fault_at(*version, "expected " + std::string(kVersion) + ", not " + version->in_words(), faults_);
+    fault_at(*version, "expected " + std::string(kVersion) + ", not " + version->in_words(),
+             faults_);
     return false;
   }
 
@@ -86,23 +89,31 @@ class SceneReader {
     context_.space = Space::kUnknown;
     constexpr std::string_view kExpected = "[[x, y], [x, y]] or [[x, y, z], [x, y, z]]";
     if (!value.is_list() || value.size() != 2) {
-      return fault_at(value, "expected the least and the greatest corner, " +
-                                 std::string(kExpected) + ", not " + value.in_words(), faults_);
+      return fault_at(value,
+                      "expected the least and the greatest corner, " + std::string(kExpected) +
+                          ", not " + value.in_words(),
+                      faults_);
     }
     const Value min_value = *value.begin();
     const Value max_value = *++value.begin();
-    const auto min = read_numbers(min_value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults_);
-    const auto max = read_numbers(max_value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults_);
+    const auto min =
+        read_numbers(min_value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults_);
+    const auto max =
+        read_numbers(max_value, {2, 3}, "[x, y] or [x, y, z]", kCoordinateRange, faults_);
     if (!min || !max) return;
     if (min->size() != max->size()) {
-      return fault_at(max_value, "expected as many numbers as in the first corner, " +
-                                     std::to_string(min->size()), faults_);
+      return fault_at(
+          max_value,
+          "expected as many numbers as in the first corner, " + std::to_string(min->size()),
+          faults_);
     }
     bool sound = true;
     for (std::size_t i = 0; i < min->size(); ++i) {
       if ((*max)[i] - (*min)[i] >= limits::kMinSize) continue;
-      fault_at(value, std::string("the first corner's ") + "xyz"[i] + ", " + in_words((*min)[i]) +
-                          ", must be less than the second's, " + in_words((*max)[i]), faults_);
+      fault_at(value,
+               std::string("the first corner's ") + "xyz"[i] + ", " + in_words((*min)[i]) +
+                   ", must be less than the second's, " + in_words((*max)[i]),
+               faults_);
       sound = false;
     }
     const bool planar = min->size() == 2;
@@ -123,8 +134,10 @@ class SceneReader {
     for (const PlacedRobot& placed : robots) {
       scene_.robots.push_back(placed.robot);
       if (bounds_given_ || placed.robot.model->kind == RobotKind::kArm) continue;
-      fault_at(placed.value, std::string(kind_in_words(placed.robot.model->kind)) + "s need " +
-                                 "environment.bounds: nothing else says where they may go", faults_);
+      fault_at(placed.value,
+               std::string(kind_in_words(placed.robot.model->kind)) + "s need " +
+                   "environment.bounds: nothing else says where they may go",
+               faults_);
     }
     return robots;
   }

@@ -22,7 +22,8 @@ struct SceneResult {
 };
 
 // A scene that is returned has passed all checks of the format: its shapes are sound, its robots'
-// starts and goals keep limits, bounds, clearance and each other's room, with kQueryMargin to spare.
+// starts and goals keep limits, bounds, clearance and each other's room, with kQueryMargin to
+// spare.
 SceneResult load_scene(const std::filesystem::path& path);
 
 // As load_scene(), from text that came some other way. `file` stands in messages. Files that the

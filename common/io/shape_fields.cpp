@@ -16,7 +16,8 @@ std::optional<Shape> read_box(const Value& value, SceneContext& context) {
              context.faults);
     return std::nullopt;
   }
-  const auto size = read_numbers(value, {2, 3}, "full lengths [x, y, z]", kSizeRange, context.faults);
+  const auto size =
+      read_numbers(value, {2, 3}, "full lengths [x, y, z]", kSizeRange, context.faults);
   if (!size) return std::nullopt;
   return Box{{(*size)[0], (*size)[1], flat ? kFlatBoxHeight : (*size)[2]}};
 }

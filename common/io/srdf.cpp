@@ -24,8 +24,7 @@ std::optional<int> link_of(const XmlElement& element, const char* attribute,
 
 }  // namespace
 
-void apply_srdf(std::string_view text, const std::string& file, RobotModel& model,
-                Faults& faults) {
+void apply_srdf(std::string_view text, const std::string& file, RobotModel& model, Faults& faults) {
   tinyxml2::XMLDocument document;
   if (!parse_xml(text, file, document, faults)) return;
   const tinyxml2::XMLElement* robot = document.RootElement();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -218,29 +217,6 @@ class UrdfParser {
 std::optional<UrdfModel> parse_urdf(std::string_view text, const std::filesystem::path& path,
                                     MeshStore& meshes, Faults& faults) {
   return UrdfParser(path, meshes, faults).parse(text);
-}
-
-void allow_neighbours(RobotModel& model) {
-  // The rigid group of each link: joints come parents first, so one pass is enough.
-  std::vector<int> group(model.links.size());
-  std::iota(group.begin(), group.end(), 0);
-  const auto group_of = [&](int link) { return group[static_cast<std::size_t>(link)]; };
-  for (const Joint& joint : model.joints) {
-    if (joint.type == JointType::kFixed) {
-      group[static_cast<std::size_t>(joint.child)] = group_of(joint.parent);
-    }
-  }
-  std::set<std::pair<int, int>> joined;
-  for (const Joint& joint : model.joints) {
-    joined.insert(std::minmax({group_of(joint.parent), group_of(joint.child)}));
-  }
-  const int count = static_cast<int>(model.links.size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      const auto pair = std::minmax({group_of(a), group_of(b)});
-      if (pair.first == pair.second || joined.contains(pair)) model.may_touch.insert({a, b});
-    }
-  }
 }
 
 }  // namespace accord

@@ -28,8 +28,4 @@ struct UrdfModel {
 std::optional<UrdfModel> parse_urdf(std::string_view text, const std::filesystem::path& path,
                                     MeshStore& meshes, Faults& faults);
 
-// Pairs of links that touch by construction: on one rigid group, or on two that a movable joint
-// joins.
-void allow_neighbours(RobotModel& model);
-
 }  // namespace accord

@@ -36,8 +36,8 @@ tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference,
                         " in this file's folder and in the one above");
 }
 
-std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder,
-                               MeshStore& meshes, Faults& faults) {
+std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder, MeshStore& meshes,
+                               Faults& faults) {
   constexpr Range kScale{1e-9, 1e9, ""};
   const auto scale = element.has("scale") ? element.vector("scale", kScale) : Vec3(1, 1, 1);
   const auto reference = element.name("filename");
@@ -47,7 +47,8 @@ std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder
     element.fault(path.error());
     return std::nullopt;
   }
-  auto surface = meshes.load(*path, *scale, [&](auto text) { element.fault(text); }, faults);
+  auto surface = meshes.load(
+      *path, *scale, [&](auto text) { element.fault(text); }, faults);
   if (!surface) return std::nullopt;
   return Mesh{std::move(surface)};
 }

@@ -23,7 +23,9 @@ struct Refusal {
   std::string text;
 };
 
-int line_of(const YAML::Mark& mark) { return mark.line + 1; }
+int line_of(const YAML::Mark& mark) {
+  return mark.line + 1;
+}
 
 // Turns yaml-cpp's events into a Document. Events rather than YAML::Node: they carry positions,
 // keep duplicate keys, and can be stopped at the first sign of abuse.
@@ -83,7 +85,8 @@ class Builder : public YAML::EventHandler {
   }
 
   void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
-    if (anchor != YAML::NullAnchor) refuse(mark, "anchors (&name) are not supported; write values out");
+    if (anchor != YAML::NullAnchor)
+      refuse(mark, "anchors (&name) are not supported; write values out");
     if (!tag.empty() && tag != "?" && tag != "!") {
       refuse(mark, "the tag " + in_quotes(tag) + " is not supported; expected plain values");
     }

@@ -1,5 +1,5 @@
-// Each scene in this folder has one kind of fault, which its name says, and says itself what must be
-// reported of it, all of it and nothing else:
+// Each scene in this folder has one kind of fault, which its name says, and says itself what must
+// be reported of it, all of it and nothing else:
 //
 //     # expect: 6: robots[0].speeed: unknown key in a robot; did you mean "speed"?
 //     # expect: files/mimic.urdf:9: joint[elbow].mimic: ...
@@ -76,7 +76,9 @@ INSTANTIATE_TEST_SUITE_P(All, InvalidScene, testing::ValuesIn(invalid_scenes()),
                            return name;
                          });
 
-TEST(InvalidScenes, CoverAtLeastFiftyFaults) { EXPECT_GE(invalid_scenes().size(), 50U); }
+TEST(InvalidScenes, CoverAtLeastFiftyFaults) {
+  EXPECT_GE(invalid_scenes().size(), 50U);
+}
 
 }  // namespace
 }  // namespace accord

@@ -49,7 +49,8 @@ std::string fault_of_json(const std::string& text, std::size_t max_values = kEno
 
 TEST(YamlReader, KeepsLinesAndPaths) {
   Faults faults("f");
-  const auto document = read_yaml("a: 1\nb:\n  - {c: x, d: [2, 3]}\n  - 'e'\n", "f", kEnough, faults);
+  const auto document =
+      read_yaml("a: 1\nb:\n  - {c: x, d: [2, 3]}\n  - 'e'\n", "f", kEnough, faults);
   EXPECT_EQ(scalars(document.get()),
             (std::vector<std::string>{"1 a = 1", "3 b[0].c = x", "3 b[0].d[0] = 2",
                                       "3 b[0].d[1] = 3", "4 b[1] = e"}));
@@ -67,7 +68,10 @@ TEST(YamlReader, TellsQuotedFromPlainAndNull) {
 
 TEST(YamlReader, TakesAByteOrderMarkAndWindowsLineEnds) {
   Faults faults("f");
-  const auto document = read_yaml("\xEF\xBB\xBF" "a: 1\r\nb: 2\r\n", "f", kEnough, faults);
+  const auto document = read_yaml(
+      "\xEF\xBB\xBF"
+      "a: 1\r\nb: 2\r\n",
+      "f", kEnough, faults);
   EXPECT_EQ(scalars(document.get()), (std::vector<std::string>{"1 a = 1", "2 b = 2"}));
 }
 
@@ -78,12 +82,15 @@ TEST(YamlReader, RefusesMoreValuesThanAllowed) {
 TEST(YamlReader, RefusesWhatOnlyLooksLikeText) {
   EXPECT_EQ(fault_of_yaml(std::string("a: 1\nb: \0", 9)),
             "f:2: not text: the byte \"\\x00\"; expected UTF-8");
-  EXPECT_EQ(fault_of_yaml("\xFF\xFE" "a"), "f:1: not text: the byte \"\\xFF\"; expected UTF-8");
+  EXPECT_EQ(fault_of_yaml("\xFF\xFE"
+                          "a"),
+            "f:1: not text: the byte \"\\xFF\"; expected UTF-8");
 }
 
 TEST(JsonReader, KeepsLinesOfNumbersBeforeLineFeeds) {
   Faults faults("f");
-  const auto document = read_json("{\"a\": 1\n,\n\"b\": [2\n, 3.5\n, \"x\", true\n]}", "f", kEnough, faults);
+  const auto document =
+      read_json("{\"a\": 1\n,\n\"b\": [2\n, 3.5\n, \"x\", true\n]}", "f", kEnough, faults);
   EXPECT_EQ(scalars(document.get()),
             (std::vector<std::string>{"1 a = 1", "3 b[0] = 2", "4 b[1] = 3.5", "5 b[2] = x",
                                       "5 b[3] = true"}));

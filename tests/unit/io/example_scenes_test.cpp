@@ -43,7 +43,8 @@ TEST_P(ExampleScene, LoadsWithoutFaults) {
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleScene, testing::ValuesIn(example_scenes()),
                          [](const auto& param_info) {
-                           std::string name = param_info.param.substr(0, param_info.param.size() - 5);
+                           std::string name =
+                               param_info.param.substr(0, param_info.param.size() - 5);
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });

@@ -40,11 +40,14 @@ class Vandal {
   }
 
  private:
-  std::size_t below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_); }
+  std::size_t below(std::size_t end) {
+    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_);
+  }
 
   void one(std::string& text) {
     static constexpr std::array<std::string_view, 16> kWords = {
-        "-1", "0", "1e308", "-1e-308", ".nan", "[", "]", "{", "}", ": ", "\n", "\"", "<", "999999999", "~", "\0"};
+        "-1", "0",  "1e308", "-1e-308", ".nan", "[",         "]", "{",
+        "}",  ": ", "\n",    "\"",      "<",    "999999999", "~", "\0"};
     const std::size_t at = below(text.size());
     const std::size_t length = std::min(1 + below(12), text.size() - at);
     switch (below(5)) {
@@ -83,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(All, DamagedScene,
                                          "depot-map.yaml", "rack-drones.yaml", "drones-12.yaml",
                                          "high-manipulator-2.yaml"),
                          [](const auto& param_info) {
-                           std::string name = param_info.param.substr(0, param_info.param.size() - 5);
+                           std::string name =
+                               param_info.param.substr(0, param_info.param.size() - 5);
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
@@ -93,7 +97,8 @@ TEST(DamagedUrdf, IsReadOrRefused) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     MeshStore meshes;
     Faults faults("damaged.urdf");
-    const bool is_read = parse_urdf(Vandal(seed).damage(sound), "damaged.urdf", meshes, faults).has_value();
+    const bool is_read =
+        parse_urdf(Vandal(seed).damage(sound), "damaged.urdf", meshes, faults).has_value();
     ASSERT_EQ(is_read, faults.count() == 0) << "seed " << seed;
   }
 }
@@ -115,7 +120,8 @@ TEST(DamagedMap, IsReadOrRefused) {
   const std::string pgm = read("maps/floor.pgm");
   for (unsigned seed = 0; seed < 400; ++seed) {
     Faults faults("damaged");
-    const bool map_read = parse_movingai_map(Vandal(seed).damage(map), "damaged", faults).has_value();
+    const bool map_read =
+        parse_movingai_map(Vandal(seed).damage(map), "damaged", faults).has_value();
     ASSERT_EQ(map_read, faults.count() == 0) << "seed " << seed;
     faults.take();
     const bool pgm_read = parse_pgm(Vandal(seed).damage(pgm), "damaged", faults).has_value();
@@ -187,15 +193,18 @@ TEST(HostileUrdf, WithCountlessAttributesIsRefused) {
   for (int i = 0; i < 200'000; ++i) attributes += " a" + std::to_string(i) + "=''";
   EXPECT_FALSE(parse_urdf("<robot" + attributes + "/>", "u", meshes, faults));
   EXPECT_FALSE(parse_urdf(repeated("<robot>", 100'000), "u", meshes, faults));
-  EXPECT_FALSE(parse_urdf("<!DOCTYPE r [<!ENTITY a \"&a;&a;\">]><robot name='&a;'/>", "u", meshes, faults));
+  EXPECT_FALSE(
+      parse_urdf("<!DOCTYPE r [<!ENTITY a \"&a;&a;\">]><robot name='&a;'/>", "u", meshes, faults));
 }
 
 TEST(TwoThousandRobots, AreCheckedAgainstEachOtherInNoTime) {
-  std::string text = "accord: scene/1\nenvironment: {bounds: [[-1, -1], [100, 100]]}\n"
-                     "models: {m: {disk: 0.3, speed: 1}}\nrobots:\n";
+  std::string text =
+      "accord: scene/1\nenvironment: {bounds: [[-1, -1], [100, 100]]}\n"
+      "models: {m: {disk: 0.3, speed: 1}}\nrobots:\n";
   for (int i = 0; i < 2000; ++i) {
     const std::string place = std::to_string(i % 45 * 2) + ", " + std::to_string(i / 45 * 2);
-    text += "  - {name: r" + std::to_string(i) + ", model: m, start: [" + place + "], goal: [" + place + "]}\n";
+    text += "  - {name: r" + std::to_string(i) + ", model: m, start: [" + place + "], goal: [" +
+            place + "]}\n";
   }
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_NE(parse_scene(text, "s", "").scene, nullptr);

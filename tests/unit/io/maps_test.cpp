@@ -35,8 +35,8 @@ TEST(MovingAiMap, ReportsAllBrokenRows) {
 TEST(Pgm, TextAndBinarySayTheSame) {
   Faults faults("p");
   const auto text = parse_pgm("P2 # c\n3 # width\n2\n255\n0 1 2\n253 254 255\n", "p", faults);
-  const auto binary =
-      parse_pgm(std::string("P5\n# c\n3 2\n255\n") + std::string("\0\1\2\xFD\xFE\xFF", 6), "p", faults);
+  const auto binary = parse_pgm(
+      std::string("P5\n# c\n3 2\n255\n") + std::string("\0\1\2\xFD\xFE\xFF", 6), "p", faults);
   ASSERT_TRUE(text && binary);
   EXPECT_EQ(text->values, binary->values);
   EXPECT_EQ(text->width, 3U);
@@ -44,7 +44,8 @@ TEST(Pgm, TextAndBinarySayTheSame) {
 
 TEST(Pgm, ReadsTwoBytesAValueAboveMaximum255) {
   Faults faults("p");
-  const auto map = parse_pgm(std::string("P5 2 1 1000\n") + std::string("\x03\xE8\0\x07", 4), "p", faults);
+  const auto map =
+      parse_pgm(std::string("P5 2 1 1000\n") + std::string("\x03\xE8\0\x07", 4), "p", faults);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->values, (std::vector<std::uint16_t>{1000, 7}));
 }
@@ -89,7 +90,9 @@ class MapFiles : public testing::Test {
   std::filesystem::path folder_;
 };
 
-const Box& box(const Obstacle& obstacle) { return std::get<Box>(obstacle.shape); }
+const Box& box(const Obstacle& obstacle) {
+  return std::get<Box>(obstacle.shape);
+}
 
 TEST_F(MapFiles, LieWithTheirLowerLeftCornerAtAt) {
   const auto s = scene("{map: m.map, cell: 0.5, at: [10, 20]}");
@@ -114,8 +117,9 @@ TEST_F(MapFiles, RiseToTheirHeightInSpatialScenes) {
 }
 
 TEST_F(MapFiles, OfRosBlockUnknownCells) {
-  write("r.yaml", "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
-                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  write("r.yaml",
+        "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
   const auto s = scene("{map: r.yaml, at: [10, 20]}");
   ASSERT_TRUE(s);
   ASSERT_EQ(s->obstacles.size(), 2U);
@@ -124,8 +128,9 @@ TEST_F(MapFiles, OfRosBlockUnknownCells) {
 }
 
 TEST_F(MapFiles, OfRosCanBeNegatedAndTurned) {
-  write("r.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 1.5707963267948966]\nnegate: 1\n"
-                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  write("r.yaml",
+        "image: m.pgm\nresolution: 1\norigin: [0, 0, 1.5707963267948966]\nnegate: 1\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
   const auto s = scene("{map: r.yaml, at: [10, 20]}");
   ASSERT_TRUE(s);
   // Only the upper left cell is free; the lower row is one block, which turns to stand upright.

@@ -32,7 +32,8 @@ std::string binary_stl(const TriangleSoup& soup) {
   for (const auto& triangle : soup) {
     for (int i = 0; i < 3; ++i) put(0);
     for (const Vec3& corner : triangle) {
-      for (const double value : corner) put(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+      for (const double value : corner)
+        put(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
     }
     out += std::string(2, '\0');
   }
@@ -81,10 +82,9 @@ TEST(Mesh, IsOpenWithATriangleMissingOrTurned) {
 
 TEST(Mesh, DropsSliversButLetsThemCloseGaps) {
   // The edge from 1 to 2 is split on one side only; a triangle without area mends that.
-  const TriangleMesh mesh = weld(
-      soup_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.5 0 0\n"
-              "f 1 3 2\nf 1 5 4\nf 5 2 4\nf 2 3 4\nf 3 1 4\nf 1 2 5\n"),
-      Vec3(1, 1, 1));
+  const TriangleMesh mesh = weld(soup_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.5 0 0\n"
+                                         "f 1 3 2\nf 1 5 4\nf 5 2 4\nf 2 3 4\nf 3 1 4\nf 1 2 5\n"),
+                                 Vec3(1, 1, 1));
   EXPECT_TRUE(mesh.closed);
   EXPECT_EQ(mesh.triangles.size(), 5U);
 }

@@ -86,7 +86,8 @@ TEST(PlanFile, KeepsEveryNumberExactly) {
   double t = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto number = [&] {
-      return std::ldexp(std::uniform_real_distribution<>(-1, 1)(random), static_cast<int>(random() % 80) - 50);
+      return std::ldexp(std::uniform_real_distribution<>(-1, 1)(random),
+                        static_cast<int>(random() % 80) - 50);
     };
     wild.append(t, Configuration{number(), -0.0, number()});
     t = std::nextafter(t, 1e9) + std::abs(number()) * 1e-5;
@@ -138,7 +139,8 @@ std::vector<std::string> faults_with(const std::string& part, const std::string&
 using Lines = std::vector<std::string>;
 
 TEST(PlanFile, ReportsFaultsWithLineAndKey) {
-  EXPECT_EQ(faults_with("plan/1", "plan/2"), Lines{"p.json:2: accord: expected plan/1, not the string \"plan/2\""});
+  EXPECT_EQ(faults_with("plan/1", "plan/2"),
+            Lines{"p.json:2: accord: expected plan/1, not the string \"plan/2\""});
   EXPECT_EQ(faults_with("\"solved\"", "\"done\""),
             Lines{"p.json:4: status: expected solved, infeasible, timeout, cancelled or invalid, "
                   "not the string \"done\""});
@@ -148,12 +150,14 @@ TEST(PlanFile, ReportsFaultsWithLineAndKey) {
             Lines{"p.json:7: seed: expected a whole number from 0, not \"-1\""});
   EXPECT_EQ(faults_with("{\"t\": 4, ", "{\"t\": 0, "),
             Lines{"p.json:17: robots[0].waypoints[1].t: times must increase, but 0 follows 0"});
-  EXPECT_EQ(faults_with("[4, 0]", "[4, 0, 0]"),
-            Lines{"p.json:17: robots[0].waypoints[1].q: expected 2 numbers as in the first waypoint, "
-                  "not 3"});
+  EXPECT_EQ(
+      faults_with("[4, 0]", "[4, 0, 0]"),
+      Lines{"p.json:17: robots[0].waypoints[1].q: expected 2 numbers as in the first waypoint, "
+            "not 3"});
   EXPECT_EQ(faults_with("[4, 0]", "[4, null]"),
             Lines{"p.json:17: robots[0].waypoints[1].q[1]: expected a number, not nothing"});
-  EXPECT_EQ(faults_with("[4, 0]", "[4, 1e999]"), Lines{"p.json:17: the number \"1e999\" is too large"});
+  EXPECT_EQ(faults_with("[4, 0]", "[4, 1e999]"),
+            Lines{"p.json:17: the number \"1e999\" is too large"});
   EXPECT_EQ(faults_with("\"from\": 0, \"to\": 4", "\"from\": 5, \"to\": 4"),
             Lines{"p.json:19: robots[0].segments[0].to: ends before it begins, at 5"});
   EXPECT_EQ(faults_with("\"timestep\": 0.1", "\"timestep\": 0"),
@@ -161,8 +165,9 @@ TEST(PlanFile, ReportsFaultsWithLineAndKey) {
 }
 
 TEST(PlanFile, ReportsSeveralFaultsAtOnce) {
-  EXPECT_EQ(faults_with("{\"t\": 0, \"q\": [0, 0]}", "{\"t\": \"0\", \"q\": [true, 0], \"v\": 1}").size(),
-            3U);
+  EXPECT_EQ(
+      faults_with("{\"t\": 0, \"q\": [0, 0]}", "{\"t\": \"0\", \"q\": [true, 0], \"v\": 1}").size(),
+      3U);
 }
 
 TEST(PlanFile, PassesOverStatisticsThatAreNoNumbers) {

@@ -11,7 +11,8 @@ namespace {
 std::vector<Vec2> star(std::size_t points) {
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < points; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
     const double radius = i % 2 == 0 ? 2 : 1;
     out.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }

@@ -70,7 +70,8 @@ TEST(SceneFile, SharesModels) {
 models: {arm: {urdf: arm6.urdf}}
 robots:
   - {name: a, model: arm, start: [0, 0.5, 1, 0, 0, 0], goal: [1, 0.5, 1, 0, 0, 0]}
-  - {name: b, model: arm, at: [3, 0, 1], rpy: [0, 0, 1], start: [0, 0.5, 1, 0, 0, 0], goal: [1, 0.5, 1, 0, 0, 0]}
+  - {name: b, model: arm, at: [3, 0, 1], rpy: [0, 0, 1],
+     start: [0, 0.5, 1, 0, 0, 0], goal: [1, 0.5, 1, 0, 0, 0]}
 )");
   ASSERT_NE(scene, nullptr);
   EXPECT_FALSE(scene->planar);
@@ -92,10 +93,12 @@ TEST(SceneFile, MayNameNoFilesWithoutAFolder) {
   const SceneResult result = parse_scene(R"(accord: scene/1
 models: {arm: {urdf: arm6.urdf}}
 robots: [{name: a, model: arm, start: [0], goal: [1]}]
-)", "request 7", "");
+)",
+                                         "request 7", "");
   ASSERT_EQ(result.faults.size(), 1U);
-  EXPECT_EQ(to_string(result.faults[0]),
-            "request 7:2: models.arm.urdf: a scene that is not a file itself cannot name other files");
+  EXPECT_EQ(
+      to_string(result.faults[0]),
+      "request 7:2: models.arm.urdf: a scene that is not a file itself cannot name other files");
 }
 
 TEST(SceneFile, ReportsFilesThatCannotBeRead) {
@@ -106,18 +109,19 @@ TEST(SceneFile, ReportsFilesThatCannotBeRead) {
   EXPECT_EQ(words("/nowhere/s.yaml"),
             "/nowhere/s.yaml: cannot open \"/nowhere/s.yaml\": no such file");
   EXPECT_EQ(words("/tmp"), "/tmp: cannot open \"/tmp\": it is a folder");
-  EXPECT_EQ(words("/dev/zero"),
-            "/dev/zero: cannot open \"/dev/zero\": it is not a regular file");
+  EXPECT_EQ(words("/dev/zero"), "/dev/zero: cannot open \"/dev/zero\": it is not a regular file");
 }
 
 TEST(SceneFile, AcceptsStartsExactlyAsFarApartAsRobotsNeed) {
   const auto faults = [](double gap) {
     const std::string y = std::to_string(0.6 + gap);
-    return parse_scene("accord: scene/1\nclearance: 0\nenvironment: {bounds: [[-5, -5], [5, 5]]}\n"
-                       "models: {m: {disk: 0.3, speed: 1}}\nrobots:\n"
-                       "  - {name: a, model: m, start: [0, 0], goal: [3, 0]}\n"
-                       "  - {name: b, model: m, start: [0, " + y + "], goal: [3, 2]}\n",
-                       "s", "")
+    return parse_scene(
+               "accord: scene/1\nclearance: 0\nenvironment: {bounds: [[-5, -5], [5, 5]]}\n"
+               "models: {m: {disk: 0.3, speed: 1}}\nrobots:\n"
+               "  - {name: a, model: m, start: [0, 0], goal: [3, 0]}\n"
+               "  - {name: b, model: m, start: [0, " +
+                   y + "], goal: [3, 2]}\n",
+               "s", "")
         .faults.size();
   };
   EXPECT_EQ(faults(1e-5), 0U);

@@ -33,9 +33,9 @@ RobotModel model_of(const std::string& body) {
 using Pairs = std::set<std::pair<int, int>>;
 
 TEST(Urdf, OrdersDegreesOfFreedomAsTheDocumentAndJointsParentsFirst) {
-  const RobotModel model = model_of(link("tip") + link("middle") + link("root") +
-                                    joint("second", "middle", "tip") +
-                                    joint("first", "root", "middle"));
+  const RobotModel model =
+      model_of(link("tip") + link("middle") + link("root") + joint("second", "middle", "tip") +
+               joint("first", "root", "middle"));
   ASSERT_EQ(model.dofs.size(), 2U);
   EXPECT_EQ(model.dofs[0].name, "second");
   EXPECT_EQ(model.dofs[1].name, "first");
@@ -70,9 +70,10 @@ TEST(Urdf, ReadsEveryKindOfJoint) {
 }
 
 TEST(Urdf, ReadsEveryShape) {
-  const RobotModel model = model_of(
-      link("a", "<box size='1 2 3'/>") + link("b", "<cylinder radius='1' length='2'/>") +
-      link("c", "<capsule radius='1' length='2'/>") + joint("ab", "a", "b") + joint("bc", "b", "c"));
+  const RobotModel model =
+      model_of(link("a", "<box size='1 2 3'/>") + link("b", "<cylinder radius='1' length='2'/>") +
+               link("c", "<capsule radius='1' length='2'/>") + joint("ab", "a", "b") +
+               joint("bc", "b", "c"));
   ASSERT_EQ(model.bodies.size(), 3U);
   EXPECT_EQ(std::get<Box>(model.bodies[0].shape).size, Vec3(1, 2, 3));
   EXPECT_EQ(std::get<Cylinder>(model.bodies[1].shape).length, 2);
@@ -80,31 +81,32 @@ TEST(Urdf, ReadsEveryShape) {
 }
 
 TEST(Urdf, PlacesBodiesByRollPitchYaw) {
-  const RobotModel model = model_of(
-      link("a") +
-      "<link name='b'><collision><origin xyz='1 2 3' rpy='0.1 0.2 0.3'/>"
-      "<geometry><sphere radius='1'/></geometry></collision></link>" +
-      joint("ab", "a", "b"));
+  const RobotModel model =
+      model_of(link("a") +
+               "<link name='b'><collision><origin xyz='1 2 3' rpy='0.1 0.2 0.3'/>"
+               "<geometry><sphere radius='1'/></geometry></collision></link>" +
+               joint("ab", "a", "b"));
   const Pose expected = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Vec3::UnitZ()) *
-                        Eigen::AngleAxisd(0.2, Vec3::UnitY()) * Eigen::AngleAxisd(0.1, Vec3::UnitX());
+                        Eigen::AngleAxisd(0.2, Vec3::UnitY()) *
+                        Eigen::AngleAxisd(0.1, Vec3::UnitX());
   EXPECT_TRUE(model.bodies[1].pose.isApprox(expected, 1e-14));
 }
 
 TEST(Urdf, LetsNeighboursTouchAcrossFixedJoints) {
   // a =fixed= b -moves- c =fixed= d -moves- e
-  const RobotModel model =
-      model_of(link("a") + link("b") + link("c") + link("d") + link("e") +
-               joint("ab", "a", "b", "fixed") + joint("bc", "b", "c") +
-               joint("cd", "c", "d", "fixed") + joint("de", "d", "e"));
-  EXPECT_EQ(model.may_touch, (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {2, 4}, {3, 4}}));
+  const RobotModel model = model_of(link("a") + link("b") + link("c") + link("d") + link("e") +
+                                    joint("ab", "a", "b", "fixed") + joint("bc", "b", "c") +
+                                    joint("cd", "c", "d", "fixed") + joint("de", "d", "e"));
+  EXPECT_EQ(model.may_touch,
+            (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {2, 4}, {3, 4}}));
 }
 
 TEST(Urdf, ReportsEveryFaultAtOnce) {
   MeshStore meshes;
   Faults faults("a.urdf");
   EXPECT_FALSE(parse_urdf("<robot name='a'>\n" + link("a", "<box size='1 2'/>") +
-                              link("b", "<sphere radius='nan'/>") + joint("ab", "a", "c", "revolut") +
-                              "</robot>",
+                              link("b", "<sphere radius='nan'/>") +
+                              joint("ab", "a", "c", "revolut") + "</robot>",
                           "a.urdf", meshes, faults));
   const auto list = faults.take();
   ASSERT_EQ(list.size(), 4U);
@@ -120,11 +122,13 @@ TEST(Urdf, PassesOverExtensions) {
 }
 
 TEST(Srdf, AddsPairsInEitherOrder) {
-  RobotModel model = model_of(link("a") + link("b") + link("c") + link("d") + joint("ab", "a", "b") +
-                              joint("bc", "b", "c") + joint("cd", "c", "d"));
+  RobotModel model =
+      model_of(link("a") + link("b") + link("c") + link("d") + joint("ab", "a", "b") +
+               joint("bc", "b", "c") + joint("cd", "c", "d"));
   Faults faults("a.srdf");
-  apply_srdf("<robot><group name='g'/><disable_collisions link1='d' link2='a' reason='Never'/></robot>",
-             "a.srdf", model, faults);
+  apply_srdf(
+      "<robot><group name='g'/><disable_collisions link1='d' link2='a' reason='Never'/></robot>",
+      "a.srdf", model, faults);
   EXPECT_EQ(faults.count(), 0U);
   EXPECT_EQ(model.may_touch, (Pairs{{0, 1}, {0, 3}, {1, 2}, {2, 3}}));
 }

@@ -35,10 +35,10 @@ TEST(NearestWord, FindsTypingErrorsOnly) {
 TEST(FirstUnprintable, KnowsUtf8) {
   EXPECT_EQ(first_unprintable("tab\t line\r\n ü € 𝄞"), std::string::npos);
   EXPECT_EQ(first_unprintable(std::string_view("a\0b", 3)), 1U);
-  EXPECT_EQ(first_unprintable("ab\xC0\x80"), 2U);          // overlong
-  EXPECT_EQ(first_unprintable("\xED\xA0\x80"), 0U);        // surrogate
-  EXPECT_EQ(first_unprintable("\xF5\x80\x80\x80"), 0U);    // beyond Unicode
-  EXPECT_EQ(first_unprintable("abc\xE2\x82"), 3U);         // cut off
+  EXPECT_EQ(first_unprintable("ab\xC0\x80"), 2U);        // overlong
+  EXPECT_EQ(first_unprintable("\xED\xA0\x80"), 0U);      // surrogate
+  EXPECT_EQ(first_unprintable("\xF5\x80\x80\x80"), 0U);  // beyond Unicode
+  EXPECT_EQ(first_unprintable("abc\xE2\x82"), 3U);       // cut off
 }
 
 }  // namespace
