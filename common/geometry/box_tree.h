@@ -1,10 +1,10 @@
 // A packed hierarchy of boxes over items that never move: the broad phase against obstacles.
 //
-// Why not FCL's DynamicAABBTreeCollisionManager (measured on Debian 12, FCL 0.7): over 1,000 boxes a
-// query takes it 0.33 us and this 0.18 us; 10,000 build in 6 to 16 ms against 2 ms; and what decides
-// it: it knows overlaps of boxes only. A disc's way across a map of 10,000 cells took 17 us by its
-// box and takes 0.4 us by sweep.h, which each_meeting() lets choose; distances go nearest first.
-// Immutable; const members may be called concurrently.
+// Why not FCL's DynamicAABBTreeCollisionManager (measured on Debian 12, FCL 0.7): over 1,000 boxes
+// a query takes it 0.33 us and this 0.18 us; 10,000 build in 6 to 16 ms against 2 ms; and what
+// decides it: it knows overlaps of boxes only. A disc's way across a map of 10,000 cells took 17 us
+// by its box and takes 0.4 us by sweep.h, which each_meeting() lets choose; distances go nearest
+// first. Immutable; const members may be called concurrently.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,10 @@
 // Compiles a robot's model into a chain.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 #include "common/geometry/chain.h"
+#include "common/geometry/piece_reach.h"
 #include "common/geometry/planar_cut.h"
 
 namespace accord {
@@ -106,68 +104,6 @@ void set_motion(const Robot& robot, const Joint& joint, const Vec3& axis, const 
   set_motion(robot, joint, axis, link);
 }
 
-// The farthest corner of a core from the link's origin, and from its axis.
-std::pair<double, double> farthest(const Piece<2>& piece) {
-  const Frame<2>& f = piece.frame;
-  double reach = f.t.norm();
-  const auto corner = [&](const Vec2& p) { reach = std::max(reach, f(p).norm()); };
-  if (piece.core == Core::kPolygon) {
-    for (int i = 0; i < piece.vertex_count; ++i) {
-      corner(piece.vertices[static_cast<std::size_t>(i)]);
-    }
-  } else {
-    for (const double x : {-piece.half.x(), piece.half.x()}) {
-      for (const double y : {-piece.half.y(), piece.half.y()}) corner({x, y});
-    }
-  }
-  return {reach, reach};
-}
-
-std::pair<double, double> farthest(const Piece<3>& piece) {
-  const Frame<3>& f = piece.frame;
-  double reach = f.t.norm();
-  double across = f.t.head<2>().norm();
-  const auto corner = [&](const Vec3& p) {
-    reach = std::max(reach, f(p).norm());
-    across = std::max(across, f(p).head<2>().norm());
-  };
-  switch (piece.core) {
-    case Core::kSegment:
-      for (const double z : {-piece.half.x(), piece.half.x()}) corner({0, 0, z});
-      break;
-    case Core::kCylinder: {
-      const double radius = piece.half.y();
-      const Vec3 axis = f.axis();
-      for (const double z : {-piece.half.x(), piece.half.x()}) {
-        const Vec3 end = f({0, 0, z});
-        const double along = end.dot(axis);
-        const double out = (end - along * axis).norm() + radius;
-        reach = std::max(reach, std::sqrt(along * along + out * out));
-        across = std::max(across, end.head<2>().norm() + radius);
-      }
-      break;
-    }
-    default:
-      for (int i = 0; i < 8; ++i) {
-        corner({(i & 1) != 0 ? piece.half.x() : -piece.half.x(),
-                (i & 2) != 0 ? piece.half.y() : -piece.half.y(),
-                (i & 4) != 0 ? piece.half.z() : -piece.half.z()});
-      }
-  }
-  return {reach, across};
-}
-
-int common_ancestor(int a, int b, const auto& links) {
-  while (a != b) {  // parents come before children
-    if (a > b) {
-      a = links[static_cast<std::size_t>(a)].parent;
-    } else {
-      b = links[static_cast<std::size_t>(b)].parent;
-    }
-  }
-  return a;
-}
-
 }  // namespace
 
 template <int D>
@@ -190,8 +126,8 @@ void Chain<D>::add_body(const Robot& robot, int body, int link, const Pose& pose
   const Body& part = robot.model->bodies[static_cast<std::size_t>(body)];
   try {
     for (Piece<D>& piece : compile_shape<D>(part.shape, pose, meshes)) {
-      const auto [reach, across] = farthest(piece);
-      pieces_.push_back({std::move(piece), link, body, reach, across});
+      const PieceReach reach = reach_of(piece);
+      pieces_.push_back({std::move(piece), link, body, reach.from_origin, reach.from_axis});
     }
   } catch (const std::invalid_argument& error) {
     reject(robot, "body \"" + part.name + "\" " + error.what());
@@ -254,62 +190,6 @@ void Chain<D>::build_arm(const Robot& robot, MeshCache& meshes) {
     add_body(robot, static_cast<int>(i), link, pose, meshes);
   }
   find_self_pairs(model);
-}
-
-template <int D>
-void Chain<D>::find_self_pairs(const RobotModel& model) {
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
-      const int la = pieces_[i].link;
-      const int lb = pieces_[j].link;
-      if (la == lb) continue;
-      const int a = model.bodies[static_cast<std::size_t>(pieces_[i].body)].link;
-      const int b = model.bodies[static_cast<std::size_t>(pieces_[j].body)].link;
-      if (model.may_touch.contains({std::min(a, b), std::max(a, b)})) continue;
-      self_pairs_.push_back(
-          {static_cast<int>(i), static_cast<int>(j), common_ancestor(la, lb, links_)});
-    }
-  }
-  std::sort(self_pairs_.begin(), self_pairs_.end(), [](const SelfPair& p, const SelfPair& q) {
-    return std::tie(p.ancestor, p.a, p.b) < std::tie(q.ancestor, q.a, q.b);
-  });
-}
-
-// For each piece: the chain from its link down to the root. Lengths add up along it to how far the
-// piece can be from each joint on the way.
-template <int D>
-void Chain<D>::find_reach(const RobotModel& model) {
-  reach_.assign(model.dof(), mobile() ? 1.0 : 0.0);
-  if (kind_ == RobotKind::kFootprint) {
-    reach_[2] = 0;
-    for (const auto& p : pieces_) reach_[2] = std::max(reach_[2], p.reach + p.piece.radius);
-  }
-  if (mobile()) return;
-  Extent<D> all = Extent<D>::nothing();
-  for (const auto& p : pieces_) {
-    double length = p.reach + p.piece.radius;
-    Vec<D> center = Vec<D>::Zero();
-    if (p.link == 0) {  // at rest: its own extent
-      const Vec<D> half = half_extents(Placed<D>{&p.piece, p.piece.frame});
-      all.merge(Extent<D>{p.piece.frame.t - half, p.piece.frame.t + half}.inflated(p.piece.radius));
-      continue;
-    }
-    for (int i = p.link; i > 0; i = links_[static_cast<std::size_t>(i)].parent) {
-      const ChainLink<D>& link = links_[static_cast<std::size_t>(i)];
-      const auto dof = static_cast<std::size_t>(link.dof);
-      double range = 0;
-      if (link.joint == JointType::kPrismatic) {
-        reach_[dof] = 1;
-        range = std::max(std::abs(model.dofs[dof].lower), std::abs(model.dofs[dof].upper));
-      } else {
-        reach_[dof] = std::max(reach_[dof], length);
-      }
-      length += range + (link.parent == 0 ? 0.0 : link.origin.t.norm());
-      center = link.origin.t;  // of the last, which the root carries: in the world
-    }
-    all.merge(Extent<D>{center, center}.inflated(length));
-  }
-  reach_box_ = all;
 }
 
 template class Chain<2>;

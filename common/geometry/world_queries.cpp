@@ -1,30 +1,14 @@
-// Yes or no, from when on, and how far: the queries that planning lives on.
+// Yes or no, and from when on: the queries that planning lives on.
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/count_on_exit.h"
 #include "common/geometry/world_core.h"
 
 namespace accord {
 namespace {
 
 constexpr double kLimitTolerance = 1e-9;  // rad or m
-
-// Returns what was counted to the world when a query ends.
-template <int D>
-class Counting {
- public:
-  Counting(Advancement<D>& work, QueryCounter& counter) : work_(work), counter_(counter) {}
-  ~Counting() {
-    if (work_.distances != 0) counter_.add(work_.distances);
-    work_.distances = 0;
-  }
-  Counting(const Counting&) = delete;
-  Counting& operator=(const Counting&) = delete;
-
- private:
-  Advancement<D>& work_;
-  QueryCounter& counter_;
-};
 
 bool before(ConfigurationView a, ConfigurationView b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
@@ -78,7 +62,7 @@ bool WorldCore<D>::motion_is_free(RobotId robot, ConfigurationView a, Configurat
   if (!within_limits(robot, a) || !within_limits(robot, b)) return false;
   if (before(b, a)) std::swap(a, b);  // the same answer both ways, to the last bit
   Work& work = begin(robot, a, b);
-  const Counting<D> counting(work, counter_);
+  const CountOnExit<D> counting(work, counter_);
   if (chains_[robot.index()].radius() >= 0) {
     if (!add_disc_pairs(robot, true, work)) return false;
     if (work.pairs.empty()) return true;  // else the bounds are near
@@ -95,7 +79,7 @@ std::optional<double> WorldCore<D>::first_fault(RobotId robot, ConfigurationView
   const double limit = leaves_limits(robot, a, b);
   if (limit <= 0) return 0.0;
   Work& work = begin(robot, a, b);
-  const Counting<D> counting(work, counter_);
+  const CountOnExit<D> counting(work, counter_);
   if (chains_[robot.index()].radius() >= 0) {
     add_disc_pairs(robot, false, work);
   } else {
@@ -128,7 +112,7 @@ std::optional<double> WorldCore<D>::first_contact(RobotId a, ConfigurationView f
   const Extent<D> rough = rough_extent(a, from_a, to_a).inflated(apart_);
   if (!rough.overlaps(rough_extent(b, from_b, to_b))) return std::nullopt;
   Work& work = begin(a, from_a, to_a);
-  const Counting<D> counting(work, counter_);
+  const CountOnExit<D> counting(work, counter_);
   work.two = true;
   work.second.start(chains_[b.index()], from_b, to_b);
   add_robot_pairs(work);
@@ -137,69 +121,8 @@ std::optional<double> WorldCore<D>::first_contact(RobotId a, ConfigurationView f
   return work.first_contact();
 }
 
-template <int D>
-double WorldCore<D>::obstacle_distance(RobotId robot, ConfigurationView q, double cutoff) const {
-  Work& work = begin(robot, q, q);
-  const Counting<D> counting(work, counter_);
-  double best = cutoff;
-  sweep_pieces(work);
-  for (std::size_t i = 0; i < work.extents.size() && best > 0; ++i) {
-    const Placed<D>& piece = work.first.piece(static_cast<int>(i));
-    tree_.each_near(work.extents[i], best, [&](int fixed) {
-      const Placed<D>& obstacle = fixed_[static_cast<std::size_t>(fixed)];
-      if (solids_ && (contains(obstacle, piece) || contains(piece, obstacle))) best = 0;
-      const double radii = piece.piece->radius + obstacle.piece->radius + rounding_;
-      const double far = best + radii + piece.piece->bound + obstacle.piece->bound;
-      if (best <= 0 || (obstacle.frame.t - piece.frame.t).squaredNorm() > far * far) return best;
-      ++work.distances;
-      const Wanted wanted{best + radii, radii, 1e-8, 0};
-      const Gap<D> gap = accord::gap(piece, obstacle, wanted, Vec<D>(Vec<D>::Zero()));
-      best = std::clamp(gap.distance - radii, 0.0, best);
-      return best;
-    });
-  }
-  return best;
-}
-
-template <int D>
-double WorldCore<D>::separation(RobotId a, ConfigurationView qa, RobotId b, ConfigurationView qb,
-                                double cutoff) const {
-  Work& work = begin(a, qa, qa);
-  const Counting<D> counting(work, counter_);
-  work.two = true;
-  work.second.start(chains_[b.index()], qb, qb);
-  work.move_to(0);
-  double best = cutoff;
-  for (std::size_t i = 0; i < work.first.chain().pieces().size(); ++i) {
-    const Placed<D>& p = work.first.piece(static_cast<int>(i));
-    for (std::size_t j = 0; j < work.second.chain().pieces().size(); ++j) {
-      const Placed<D>& other = work.second.piece(static_cast<int>(j));
-      const double radii = p.piece->radius + other.piece->radius + rounding_;
-      const double far = best + radii + p.piece->bound + other.piece->bound;
-      if ((other.frame.t - p.frame.t).squaredNorm() > far * far) continue;
-      if (solids_ && (contains(p, other) || contains(other, p))) return 0;
-      ++work.distances;
-      const Wanted wanted{best + radii, radii, 1e-8, 0};
-      const Gap<D> gap = accord::gap(p, other, wanted, Vec<D>(Vec<D>::Zero()));
-      best = std::clamp(gap.distance - radii, 0.0, best);
-      if (best <= 0) return 0;
-    }
-  }
-  return best;
-}
-
-template <int D>
-Extent<D> WorldCore<D>::swept_bounds(RobotId robot, ConfigurationView a,
-                                     ConfigurationView b) const {
-  const Chain<D>& chain = chains_[robot.index()];
-  if (chain.radius() >= 0) return rough_extent(robot, a, b);
-  Work& work = begin(robot, a, b);
-  sweep_pieces(work);
-  Extent<D> all = Extent<D>::nothing();
-  for (std::size_t i = 0; i < chain.pieces().size(); ++i) all.merge(work.extents[i]);
-  return all;
-}
-
+template Extent<2> WorldCore<2>::rough_extent(RobotId, ConfigurationView, ConfigurationView) const;
+template Extent<3> WorldCore<3>::rough_extent(RobotId, ConfigurationView, ConfigurationView) const;
 template bool WorldCore<2>::is_free(RobotId, ConfigurationView) const;
 template bool WorldCore<3>::is_free(RobotId, ConfigurationView) const;
 template bool WorldCore<2>::motion_is_free(RobotId, ConfigurationView, ConfigurationView) const;
@@ -216,14 +139,6 @@ template std::optional<double> WorldCore<3>::first_contact(RobotId, Configuratio
                                                            ConfigurationView, RobotId,
                                                            ConfigurationView,
                                                            ConfigurationView) const;
-template double WorldCore<2>::obstacle_distance(RobotId, ConfigurationView, double) const;
-template double WorldCore<3>::obstacle_distance(RobotId, ConfigurationView, double) const;
-template double WorldCore<2>::separation(RobotId, ConfigurationView, RobotId, ConfigurationView,
-                                         double) const;
-template double WorldCore<3>::separation(RobotId, ConfigurationView, RobotId, ConfigurationView,
-                                         double) const;
-template Extent<2> WorldCore<2>::swept_bounds(RobotId, ConfigurationView, ConfigurationView) const;
-template Extent<3> WorldCore<3>::swept_bounds(RobotId, ConfigurationView, ConfigurationView) const;
 template bool WorldCore<2>::within_limits(RobotId, ConfigurationView) const;
 template bool WorldCore<3>::within_limits(RobotId, ConfigurationView) const;
 template WorldCore<2>::Work& WorldCore<2>::begin(RobotId, ConfigurationView,
