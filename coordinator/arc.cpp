@@ -10,8 +10,9 @@
 namespace accord {
 namespace {
 
-// Doublings of the window between one taking in of robots and the next.
-constexpr unsigned kWindowsPerTeam = 3;
+// Times that a conflict of the same pair comes back before its robots are merged with those that
+// they keep getting in conflict with.
+constexpr unsigned kTradesToMerge = 2;
 // A team that cannot make it at its whole query grows by this many robots at a time.
 constexpr std::size_t kTakenInAtOnce = 2;
 // Commits a robot may be part of on average before the search is called off: rounds then only push
@@ -26,8 +27,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Arc::Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
          Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress)
-    : planning_(planning), detection_(detection), workforce_(workforce), stop_(stop),
-      progress_(std::move(progress)), factory_(planning, seed),
+    : planning_(planning),
+      detection_(detection),
+      workforce_(workforce),
+      stop_(stop),
+      progress_(std::move(progress)),
+      factory_(planning, seed),
       schedule_(std::make_shared<const Scene>(planning.scene())) {}
 
 ArcOutcome Arc::run() {
@@ -49,7 +54,7 @@ ArcOutcome Arc::run() {
       record(job);
       if (job.resolution.solved) {
         schedule_.commit(job.subproblem, job.resolution);
-        growth_.erase({job.conflict.first, job.conflict.second});
+        note_resolved(job);
         std::vector<RobotId> changed;
         for (const Task& task : job.subproblem.tasks) changed.push_back(task.robot);
         const std::size_t before = board.size();
@@ -79,7 +84,8 @@ std::optional<ArcOutcome> Arc::plan_initial_paths() {
     for (std::size_t i = 0; i < count; ++i) {
       own.push_back(factory_.create_initial({static_cast<std::uint32_t>(first + i)}));
     }
-    std::ranges::move(workforce_.solve(own, stop_), found.begin() + static_cast<std::ptrdiff_t>(first));
+    std::ranges::move(workforce_.solve(own, stop_),
+                      found.begin() + static_cast<std::ptrdiff_t>(first));
     if (stop_) return stopped();
     robots_planned_ = first + count;
   }
@@ -92,6 +98,7 @@ std::optional<ArcOutcome> Arc::plan_initial_paths() {
                             "\" on its own, on the largest roadmap of its configuration space"};
     }
     statistics_.lower_bound += found[id].end;
+    if (found[id].roadmap_level >= 0) factory_.use_roadmap({id}, found[id].roadmap_level);
     schedule_.set_initial({id}, std::move(found[id].paths[0]), std::move(found[id].solver));
   }
   return std::nullopt;
@@ -101,20 +108,15 @@ std::optional<ArcOutcome> Arc::plan_initial_paths() {
 // one has to avoid, or the other way round.
 std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
   std::vector<Job> jobs;
-  std::set<RobotId> used;    // members and outsiders of chosen ones
-  std::set<RobotId> members; // of chosen ones
-  std::set<RobotId> waiting; // robots with an earlier conflict that was not chosen
+  std::set<RobotId> used;     // members and outsiders of chosen ones
+  std::set<RobotId> members;  // of chosen ones
+  std::set<RobotId> waiting;  // robots with an earlier conflict that was not chosen
   for (const Conflict& conflict : board.conflicts()) {
     const bool behind = waiting.contains(conflict.first) || waiting.contains(conflict.second) ||
                         used.contains(conflict.first) || used.contains(conflict.second);
     waiting.insert({conflict.first, conflict.second});
     if (behind) continue;
-    const auto growth = growth_.find({conflict.first, conflict.second});
-    Job job{conflict,
-            factory_.create(conflict, growth == growth_.end() ? Growth{} : growth->second,
-                            schedule_, board),
-            {},
-            {}};
+    Job job{conflict, factory_.create(conflict, growth_of(conflict), schedule_, board), {}, {}};
     const auto clashes = [&](const auto& entry) { return used.contains(entry.robot); };
     const auto is_member = [&](const auto& entry) { return members.contains(entry.robot); };
     if (std::ranges::any_of(job.subproblem.tasks, clashes) ||
@@ -129,6 +131,36 @@ std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
     jobs.push_back(std::move(job));
   }
   return jobs;
+}
+
+// How far a conflict's subproblem has been grown; where resolving it has only brought it back, with
+// all robots that the earlier resolutions tied to it. ("R' merges the involved robots")
+Growth Arc::growth_of(const Conflict& conflict) const {
+  const Pair pair{conflict.first, conflict.second};
+  const auto known = growth_.find(pair);
+  Growth growth = known == growth_.end() ? Growth{} : known->second;
+  const auto trade = trades_.find(pair);
+  if (trade == trades_.end() || trade->second.count < kTradesToMerge ||
+      conflict.time > trade->second.until) {
+    return growth;
+  }
+  for (const RobotId robot : {conflict.first, conflict.second}) {
+    for (const CouplingSegment& segment : schedule_.coupling(robot)) {
+      if (segment.to < trade->second.from || segment.from > trade->second.until) continue;
+      growth.taken_in.insert(segment.robots.begin(), segment.robots.end());
+    }
+  }
+  return growth;
+}
+
+void Arc::note_resolved(const Job& job) {
+  const Pair pair{job.conflict.first, job.conflict.second};
+  growth_.erase(pair);
+  Trade& trade = trades_[pair];
+  if (job.conflict.time > trade.until) trade = {};
+  ++trade.count;
+  trade.from = trade.count == 1 ? job.subproblem.from : std::min(trade.from, job.subproblem.from);
+  trade.until = std::max(trade.until, job.subproblem.horizon);
 }
 
 void Arc::solve(std::vector<Job>& jobs) {
@@ -196,8 +228,18 @@ std::vector<RobotId> Arc::entangled_with(const Job& job, const ConflictBoard& bo
 bool Arc::adapt(const Job& job, const ConflictBoard& board) {
   Growth& growth = growth_[{job.conflict.first, job.conflict.second}];
   ++growth.attempts;
-  std::vector<RobotId> candidates = entangled_with(job, board);
-  if (job.subproblem.whole || growth.attempts % kWindowsPerTeam == 0) {
+  growth.shortsighted = !growth.shortsighted && !job.subproblem.outsiders.empty();
+  if (growth.shortsighted) return true;
+  const bool on_roadmaps = std::ranges::all_of(
+      job.subproblem.tasks, [&](const Task& task) { return factory_.uses_roadmap(task.robot); });
+  growth.to_the_end = !growth.to_the_end && on_roadmaps;
+  if (growth.to_the_end) {
+    growth.shortsighted = !job.subproblem.outsiders.empty();
+    return true;
+  }
+  std::vector<RobotId> candidates;
+  if (job.subproblem.whole || growth.window % 2 == 1) {
+    candidates = entangled_with(job, board);
     candidates.insert(candidates.end(), job.in_the_way.begin(), job.in_the_way.end());
   }
   if (job.subproblem.whole) {
@@ -232,7 +274,9 @@ void Arc::report(Progress::Phase phase) {
              statistics_.rounds});
 }
 
-ArcOutcome Arc::stopped() const { return {PlanStatus::kCancelled, "stopped"}; }
+ArcOutcome Arc::stopped() const {
+  return {PlanStatus::kCancelled, "stopped"};
+}
 
 ArcOutcome Arc::infeasible(const Job& job) const {
   std::string robots;

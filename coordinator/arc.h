@@ -69,7 +69,16 @@ class Arc {
     std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
   };
 
+  // Resolutions of a pair's conflicts that keep coming back at about the same time.
+  struct Trade {
+    unsigned count = 0;
+    double from = 0;   // s
+    double until = 0;  // s
+  };
+
   std::optional<ArcOutcome> plan_initial_paths();
+  Growth growth_of(const Conflict& conflict) const;
+  void note_resolved(const Job& job);
   std::vector<Job> choose(const ConflictBoard& board) const;
   void solve(std::vector<Job>& jobs);
   void find_robots_in_the_way(std::vector<Job>& jobs);
@@ -89,6 +98,7 @@ class Arc {
   SubproblemFactory factory_;
   Schedule schedule_;
   std::map<Pair, Growth> growth_;
+  std::map<Pair, Trade> trades_;
   ArcStatistics statistics_;
   std::size_t robots_planned_ = 0;
 };

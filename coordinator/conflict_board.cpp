@@ -33,7 +33,8 @@ double cell_size(const CollisionWorld& world, const Schedule& schedule, double s
 }  // namespace
 
 ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedule)
-    : world_(world), schedule_(schedule),
+    : world_(world),
+      schedule_(schedule),
       grid_(world, slab_length(world.scene(), schedule),
             cell_size(world, schedule, slab_length(world.scene(), schedule))) {
   std::vector<RobotId> all;
@@ -62,16 +63,14 @@ void ConflictBoard::scan(RobotId robot, double from) {
     grid_.neighbours(robot, slab, neighbours);
     const double begin = std::max(from, grid_.slab_start(slab));
     const bool last = slab + 1 == grid_.slabs();
-    const double end =
-        last ? std::numeric_limits<double>::infinity() : grid_.slab_start(slab + 1);
+    const double end = last ? std::numeric_limits<double>::infinity() : grid_.slab_start(slab + 1);
     for (const RobotId other : neighbours) {
       if (scanned_[other.index()]) continue;  // this pair was scanned from the other side
       const Pair pair{std::min(robot, other), std::max(robot, other)};
       if (conflicts_.contains(pair)) continue;  // an earlier one stands
       ++pair_checks_;
-      const auto time =
-          earliest_contact(world_, pair.first, schedule_.path(pair.first), pair.second,
-                           schedule_.path(pair.second), begin, end);
+      const auto time = earliest_contact(world_, pair.first, schedule_.path(pair.first),
+                                         pair.second, schedule_.path(pair.second), begin, end);
       if (time) conflicts_.emplace(pair, *time);
     }
   }

@@ -19,10 +19,11 @@ constexpr double kArmOwnMotion = 0.5;  // rad or m
 // The first region reaches this many body sizes beyond the guide.
 constexpr double kRegionMargin = 2.0;
 constexpr double kArmRegionMargin = 0.6;  // rad or m
-// Outsiders are avoided for this many windows past the window's end. Their paths that far ahead are
-// going to change; a subproblem that respects all of them until the end of time often has no
+// Outsiders are avoided until this many half windows after the conflict. Their paths that far ahead
+// are going to change; in dense traffic a subproblem that respects all of them for long has no
 // solution where one that looks ahead a little has.
-constexpr double kForesight = 0.5;
+constexpr double kForesight = 2.0;
+constexpr double kShortForesight = 0.4;
 // Cutting closer to a waypoint than this would leave a sliver of a motion.
 constexpr double kSliver = 1e-5;  // s
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -42,6 +43,16 @@ double away_from_slivers(double t, const std::vector<RobotId>& robots, const Sch
 }
 
 }  // namespace
+
+void SubproblemFactory::use_roadmap(RobotId robot, int level) {
+  int& known =
+      roadmap_levels_.try_emplace(world_.scene().robot(robot).model.get(), -1).first->second;
+  known = std::max(known, level);
+}
+
+bool SubproblemFactory::uses_roadmap(RobotId robot) const {
+  return roadmap_levels_.contains(world_.scene().robot(robot).model.get());
+}
 
 double SubproblemFactory::body_size(RobotId id) const {
   if (const auto radius = world_.radius(id)) return 2 * *radius;
@@ -66,7 +77,8 @@ Subproblem SubproblemFactory::create_initial(RobotId id) const {
   out.seed = combine({seed_, id.value});
   out.horizon = kInfinity;
   out.whole = true;
-  out.tasks.push_back({id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}, {}});
+  out.tasks.push_back(
+      {id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}, {}, -1});
   return out;
 }
 
@@ -82,7 +94,7 @@ Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& gro
   }
   out.seed = combine({seed_, conflict.first.value, conflict.second.value,
                       std::bit_cast<std::uint64_t>(conflict.time), growth.attempts});
-  add_outsiders(schedule, board, out);
+  add_outsiders(schedule, board, growth.to_the_end, out);
   return out;
 }
 
@@ -99,7 +111,7 @@ void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growt
   out.from = conflict.time - half;
   out.from = out.from <= 0 ? 0 : away_from_slivers(out.from, robots, schedule);
   if (out.from >= conflict.time) out.from = 0;
-  out.to = std::min(conflict.time + half, end);
+  out.to = growth.to_the_end ? end : std::min(conflict.time + half, end);
   // The end moves on past configurations that are themselves in conflict.
   const auto clear_at = [&](double t) {
     for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -114,7 +126,7 @@ void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growt
   };
   while (out.to < end && !clear_at(out.to)) out.to = std::min(out.to + 0.5 * unit, end);
   if (out.to < end) out.to = away_from_slivers(out.to, robots, schedule);
-  out.horizon = out.to + kForesight * (out.to - out.from);
+  out.horizon = conflict.time + (growth.shortsighted ? kShortForesight : kForesight) * half;
   out.whole = out.from == 0 && out.to >= end;
 }
 
@@ -142,8 +154,10 @@ Task SubproblemFactory::make_task(RobotId robot, const Growth& growth, const Sch
       if (path.time(i) > window.horizon) break;
     }
   }
-  task.region = window.whole ? whole_region(world_.scene(), robot)
-                             : region(robot, task.guide, growth.window);
+  task.region = window.whole || growth.to_the_end ? whole_region(world_.scene(), robot)
+                                                  : region(robot, task.guide, growth.window);
+  const auto level = roadmap_levels_.find(world_.scene().robot(robot).model.get());
+  if (level != roadmap_levels_.end()) task.roadmap_level = level->second;
   return task;
 }
 
@@ -158,8 +172,7 @@ Region SubproblemFactory::region(RobotId id, const Trajectory& guide, unsigned d
       out.upper[k] = std::max(out.upper[k], guide.configuration(i)[k]);
     }
     const bool translation = k < model.translations();
-    const double margin =
-        scale * (translation ? kRegionMargin * body_size(id) : kArmRegionMargin);
+    const double margin = scale * (translation ? kRegionMargin * body_size(id) : kArmRegionMargin);
     out.lower[k] -= margin;
     out.upper[k] += margin;
     if (model.dofs[k].wraps) continue;
@@ -193,7 +206,7 @@ Aabb SubproblemFactory::workspace(RobotId id, const Region& region) const {
 }
 
 void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBoard& board,
-                                      Subproblem& out) const {
+                                      bool settled_only, Subproblem& out) const {
   std::set<RobotId> near;
   std::vector<RobotId> found;
   for (const Task& task : out.tasks) {
@@ -201,6 +214,13 @@ void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBo
     near.insert(found.begin(), found.end());
   }
   for (const Task& task : out.tasks) near.erase(task.robot);
+  if (settled_only) {
+    for (const Conflict& conflict : board.conflicts()) {
+      if (conflict.time > out.horizon) break;
+      near.erase(conflict.first);
+      near.erase(conflict.second);
+    }
+  }
   for (const RobotId robot : near) {
     out.outsiders.push_back({robot, schedule.version(robot), schedule.path(robot)});
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -17,15 +18,16 @@ namespace accord {
 
 // How far a conflict's subproblem has been grown. (Alg. 2, line 11: AdaptSubProblem)
 struct Growth {
-  unsigned window = 0;          // doublings of the time window and of the region's margin
-  std::set<RobotId> taken_in;   // robots beyond the conflicting pair
-  unsigned attempts = 0;        // all in all
+  unsigned window = 0;         // doublings of the time window and of the region's margin
+  bool shortsighted = false;   // outsiders are avoided only until shortly after the conflict
+  bool to_the_end = false;     // the window ends with the paths, the region is the whole space
+  std::set<RobotId> taken_in;  // robots beyond the conflicting pair
+  unsigned attempts = 0;       // all in all
 };
 
 class SubproblemFactory {
  public:
-  SubproblemFactory(const CollisionWorld& world, std::uint64_t seed)
-      : world_(world), seed_(seed) {}
+  SubproblemFactory(const CollisionWorld& world, std::uint64_t seed) : world_(world), seed_(seed) {}
 
   // A robot's own path, from its start at time 0 to its goal: (E, {r}, {q}). (Alg. 1, line 3)
   Subproblem create_initial(RobotId robot) const;
@@ -35,6 +37,10 @@ class SubproblemFactory {
   Subproblem create(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
                     const ConflictBoard& board) const;
 
+  // Robots of this model were planned on their roadmaps' level: theirs are searched from now on.
+  void use_roadmap(RobotId robot, int level);
+  bool uses_roadmap(RobotId robot) const;
+
   // Time (s) in which a robot moves by about its own size: the unit of windows.
   double own_time(RobotId robot) const;
 
@@ -43,13 +49,15 @@ class SubproblemFactory {
                   const std::vector<RobotId>& robots, Subproblem& out) const;
   Task make_task(RobotId robot, const Growth& growth, const Schedule& schedule,
                  const Subproblem& window) const;
-  void add_outsiders(const Schedule& schedule, const ConflictBoard& board, Subproblem& out) const;
+  void add_outsiders(const Schedule& schedule, const ConflictBoard& board, bool settled_only,
+                     Subproblem& out) const;
   Region region(RobotId robot, const Trajectory& guide, unsigned doublings) const;
   Aabb workspace(RobotId robot, const Region& region) const;
   double body_size(RobotId robot) const;
 
   const CollisionWorld& world_;
   std::uint64_t seed_;
+  std::map<const RobotModel*, int> roadmap_levels_;
 };
 
 }  // namespace accord

@@ -28,9 +28,11 @@ constexpr std::size_t kWholeFactor = 20;
 
 class CompositeRoadmap {
  public:
-  CompositeRoadmap(const CollisionWorld& world, const Subproblem& subproblem)
-      : subproblem_(subproblem), team_(world, members(subproblem), subproblem.from),
-        places_(world, subproblem), roadmap_(team_),
+  CompositeRoadmap(const Workspace& workspace, const Subproblem& subproblem)
+      : subproblem_(subproblem),
+        team_(workspace.world(), members(subproblem), subproblem.from),
+        places_(workspace, subproblem),
+        roadmap_(team_),
         evolution_(subproblem.limits.composite_window_per_dof * team_.dof()),
         random_(combine({subproblem.seed, 0x636f6d70})) {
     team_.avoid_outsiders(subproblem);
@@ -170,9 +172,9 @@ class CompositeRoadmap {
 
 }  // namespace
 
-Resolution CompositePrm::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+Resolution CompositePrm::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                   const std::atomic<bool>& stop) const {
-  Resolution resolution = CompositeRoadmap(world, subproblem).solve(world, stop);
+  Resolution resolution = CompositeRoadmap(workspace, subproblem).solve(workspace.world(), stop);
   resolution.solver = kName;
   return resolution;
 }

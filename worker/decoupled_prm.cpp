@@ -5,17 +5,17 @@
 
 namespace accord {
 
-Resolution DecoupledPrm::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+Resolution DecoupledPrm::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                   const std::atomic<bool>& stop) const {
-  DecoupledRoadmaps roadmaps(world, subproblem);
+  DecoupledRoadmaps roadmaps(workspace, subproblem);
   Effort effort;
   // Batches grow: most conflicts need a handful of places to step aside to.
   std::size_t batch = (subproblem.limits.decoupled_samples + 5) / 6;
   for (std::size_t added = 0; added < subproblem.limits.decoupled_samples && !stop;) {
-    roadmaps.add_samples(world, batch);
+    roadmaps.add_samples(workspace.world(), batch);
     added += batch;
     batch *= 2;
-    Resolution resolution = prioritized_search(world, subproblem, roadmaps, stop);
+    Resolution resolution = prioritized_search(workspace.world(), subproblem, roadmaps, stop);
     effort += resolution.effort;
     resolution.effort = effort;
     resolution.effort.samples = roadmaps.samples();

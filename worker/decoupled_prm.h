@@ -13,7 +13,7 @@ class DecoupledPrm final : public Solver {
   std::string_view name() const override { return kName; }
 
  private:
-  Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+  Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 };
 

@@ -15,18 +15,34 @@ constexpr std::size_t kGuidePoints = 9;
 // Tries a sample is worth: regions are mostly free, and where they are not, coupling is cheaper.
 constexpr std::size_t kTriesPerSample = 10;
 
-Team alone(const CollisionWorld& world, RobotId robot) { return Team(world, {robot}, 0); }
+Team alone(const CollisionWorld& world, RobotId robot) {
+  return Team(world, {robot}, 0);
+}
 
 }  // namespace
 
-DecoupledRoadmaps::DecoupledRoadmaps(const CollisionWorld& world, const Subproblem& subproblem)
+DecoupledRoadmaps::DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem)
     : subproblem_(subproblem), next_sample_(subproblem.tasks.size(), 0) {
   for (const Task& task : subproblem.tasks) {
-    const Team team = alone(world, task.robot);
+    const Team team = alone(workspace.world(), task.robot);
     LocalRoadmap& roadmap = roadmaps_.emplace_back(team);
     roadmap.add(team, task.start, false);
     roadmap.add(team, task.goal, false);
+    if (task.roadmap_level >= 0) {
+      workspace.roadmap(task.robot)
+          .copy_into(static_cast<std::size_t>(task.roadmap_level), task.region, team, roadmap);
+      join_ends(team, roadmap);
+    }
     lay_guide(team, roadmap, task);
+  }
+}
+
+void DecoupledRoadmaps::join_ends(const Team& team, LocalRoadmap& roadmap) {
+  std::vector<LocalRoadmap::Node> near;
+  for (const LocalRoadmap::Node end : {kStart, kGoal}) {
+    const auto all = static_cast<LocalRoadmap::Node>(roadmap.size());
+    roadmap.nearest(team, roadmap.configuration(end), kNeighbours, all, near);
+    for (const LocalRoadmap::Node node : near) roadmap.connect(team, end, node);
   }
 }
 

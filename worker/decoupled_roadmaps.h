@@ -1,5 +1,6 @@
 // The local roadmaps of a subproblem's robots, each in its own configuration space: start, goal,
-// the guide's waypoints and points between them, and samples of the region.
+// the robot's own roadmap as far as it lies in the region, the guide's waypoints and points between
+// them, and samples of the region.
 // Not thread safe; lives as long as one solution attempt.
 #pragma once
 
@@ -8,6 +9,7 @@
 #include "common/planning/subproblem.h"
 #include "worker/local_roadmap.h"
 #include "worker/team.h"
+#include "worker/workspace.h"
 
 namespace accord {
 
@@ -16,7 +18,7 @@ class DecoupledRoadmaps {
   static constexpr LocalRoadmap::Node kStart = 0;
   static constexpr LocalRoadmap::Node kGoal = 1;
 
-  DecoupledRoadmaps(const CollisionWorld& world, const Subproblem& subproblem);
+  DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem);
 
   // Adds up to `count` free samples of its region to every robot's roadmap (Halton points, seeded
   // by the subproblem), connected to their neighbours.
@@ -27,6 +29,7 @@ class DecoupledRoadmaps {
   std::uint64_t motion_checks() const;
 
  private:
+  void join_ends(const Team& team, LocalRoadmap& roadmap);
   void lay_guide(const Team& team, LocalRoadmap& roadmap, const Task& task);
 
   const Subproblem& subproblem_;

@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t kTriesPerSample = 8;
 // A bridge spans up to this share of the region in each direction.
 constexpr double kBridgeSpan = 0.1;
-constexpr std::uint64_t kSeed = 0x726f61646d6170;  // the roadmap belongs to the scene, not a request
+constexpr std::uint64_t kSeed =
+    0x726f61646d6170;  // the roadmap belongs to the scene, not a request
 
 }  // namespace
 

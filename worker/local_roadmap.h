@@ -57,7 +57,7 @@ class LocalRoadmap {
   std::vector<std::vector<Edge>> adjacency_;
   std::vector<Proof> proofs_;  // by edge id
   std::uint64_t motion_checks_ = 0;
-  Configuration target_;  // scratch
+  Configuration target_;                                 // scratch
   mutable std::vector<std::pair<double, Node>> ranked_;  // scratch
   std::vector<Node> neighbours_;                         // scratch
 };

@@ -12,6 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Intervals shorter than this are of no use and only cost time.
 constexpr double kShortestInterval = 1e-6;  // s
+constexpr double kSlack = MovingObstacles::kSlack;
 
 Vec3 to_point(ConfigurationView q) {
   return {q[0], q[1], q.size() > 2 ? q[2] : 0.0};
@@ -28,8 +29,9 @@ void complement(std::vector<Interval>& unsafe, double from, std::vector<Interval
   std::ranges::sort(unsafe, {}, &Interval::lo);
   double safe_from = from;
   for (const Interval& interval : unsafe) {
-    if (interval.lo > safe_from + kShortestInterval) out.push_back({safe_from, interval.lo});
-    safe_from = std::max(safe_from, interval.hi);
+    const double safe_until = interval.lo - kSlack;
+    if (safe_until > safe_from + kShortestInterval) out.push_back({safe_from, safe_until});
+    safe_from = std::max(safe_from, interval.hi + kSlack);
   }
   if (safe_from < kInfinity) out.push_back({safe_from, kInfinity});
 }
@@ -46,15 +48,23 @@ void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
     return;
   }
   const Vec3 room = Vec3::Constant(world_.required_separation());
-  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) < until; ++i) {
+  for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
     const bool last = i + 1 == path.size();
+    if (path.time(i) >= until) continue;
     const ConfigurationView from = path.configuration(i);
     const ConfigurationView to = last ? from : path.configuration(i + 1);
-    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), until, {}, {}, {}};
+    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), {}, {}, {}};
     if (i == 0) piece.t0 = std::min(piece.t0, from_);
     piece.from.assign(from.begin(), from.end());
     piece.to.assign(to.begin(), to.end());
-    piece.bounds = world_.swept_bounds(other, from, to);
+    if (!last && piece.t1 > until) {
+      const double s = (until - path.time(i)) / (piece.t1 - path.time(i));
+      for (std::size_t k = 0; k < piece.to.size(); ++k) {
+        piece.to[k] = piece.from[k] + s * (piece.to[k] - piece.from[k]);
+      }
+      piece.t1 = until;
+    }
+    piece.bounds = world_.swept_bounds(other, piece.from, piece.to);
     piece.bounds.min -= room;
     piece.bounds.max += room;
     pieces_.push_back(std::move(piece));
@@ -62,10 +72,11 @@ void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
 }
 
 void MovingObstacles::add_points(const Trajectory& path, double distance, double until) {
-  for (std::size_t i = path.segment_at(from_); i < path.size() && path.time(i) < until; ++i) {
+  for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
+    if (path.time(i) >= until) continue;
     const bool last = i + 1 == path.size();
-    PointPiece piece{path.time(i), until,    to_point(path.configuration(i)),
-                     Vec3::Zero(), distance, distance * distance};
+    PointPiece piece{path.time(i), kInfinity, to_point(path.configuration(i)),
+                     Vec3::Zero(), distance,  distance * distance};
     if (!last) {
       piece.velocity =
           (to_point(path.configuration(i + 1)) - piece.position) / (path.time(i + 1) - piece.t0);
@@ -110,12 +121,12 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
     if (!piece.bounds.overlaps(here)) continue;
     if (std::isinf(piece.t1)) {
       if (!world_.are_clear(robot_, q, piece.robot, piece.from)) {
-        unsafe.push_back({piece.t0, piece.until});
+        unsafe.push_back({piece.t0, kInfinity});
       }
       continue;
     }
     double t = std::max(piece.t0, from_);
-    const double end = std::min(piece.t1, piece.until);
+    const double end = piece.t1;
     while (t < end) {
       const auto touch = contact(piece, q, q, t, end);
       if (!touch) break;
@@ -135,7 +146,7 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
 
 std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
                                                ConfigurationView b, double t0, double t1) {
-  const double lo = std::max(t0, piece.t0), hi = std::min({t1, piece.t1, piece.until});
+  const double lo = std::max(t0, piece.t0), hi = std::min(t1, piece.t1);
   if (lo >= hi) return std::nullopt;
   const double span = t1 - t0;
   interpolate(a, b, (lo - t0) / span, mine_from_);
@@ -161,8 +172,8 @@ double MovingObstacles::point_next_departure(const Vec3& a, const Vec3& velocity
     const double lo = std::max(departure, piece.t0);
     const double hi = std::min(departure + duration, piece.t1);
     if (lo >= hi) return false;
-    const Vec3 offset = piece.position + (lo - piece.t0) * piece.velocity - a -
-                        (lo - departure) * velocity;
+    const Vec3 offset =
+        piece.position + (lo - piece.t0) * piece.velocity - a - (lo - departure) * velocity;
     return first_within(offset, (hi - lo) * (piece.velocity - velocity), piece.distance)
         .has_value();
   };
@@ -180,7 +191,7 @@ double MovingObstacles::point_next_departure(const Vec3& a, const Vec3& velocity
       const double middle = 0.5 * (unsafe + safe);
       (hits(piece, middle) ? unsafe : safe) = middle;
     }
-    return safe;
+    return safe + kSlack;
   }
   return t;
 }
@@ -190,8 +201,7 @@ bool MovingObstacles::pieces_clear(ConfigurationView a, ConfigurationView b, dou
   if (pieces_.empty()) return true;
   const Aabb bounds = world_.swept_bounds(robot_, a, b);
   for (const Piece& piece : pieces_) {
-    if (piece.t0 >= t + duration || std::min(piece.t1, piece.until) <= t ||
-        !piece.bounds.overlaps(bounds)) continue;
+    if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
     if (contact(piece, a, b, t, t + duration)) return false;
   }
   return true;

@@ -21,11 +21,16 @@ struct Interval {
 
 class MovingObstacles {
  public:
+  // Time (s) kept from the instants at which contact would begin or end. Without it, paths would
+  // graze what they avoid to the last bit, and cut anew they would be found to touch it.
+  static constexpr double kSlack = 1e-3;
+
   // For `robot`, from the instant `from` (s) on.
   MovingObstacles(const CollisionWorld& world, RobotId robot, double from);
 
-  // Adds another robot, to be avoided until `until` (s, may be infinite); it parks at its path's
-  // ends. Copies what it needs.
+  // Adds another robot, which parks at its path's end. It is avoided until `until` (s, may be
+  // infinite), but if it has parked by then, for good: else waiting for it to vanish would seem a
+  // way past it. Copies what it needs.
   void add(RobotId other, const Trajectory& path, double until);
   bool empty() const { return points_.empty() && pieces_.empty(); }
 
@@ -54,7 +59,6 @@ class MovingObstacles {
   struct Piece {
     RobotId robot;
     double t0, t1;  // t1 infinite: parked
-    double until;   // avoided no longer than that
     Configuration from, to;
     Aabb bounds;  // inflated by what must be kept
   };
@@ -73,7 +77,7 @@ class MovingObstacles {
   double from_;
   std::vector<PointPiece> points_;
   std::vector<Piece> pieces_;
-  std::vector<Interval> unsafe_;  // scratch
+  std::vector<Interval> unsafe_;                               // scratch
   Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
 };
 

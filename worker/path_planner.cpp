@@ -1,19 +1,9 @@
 #include "worker/path_planner.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 namespace accord {
 namespace {
-
-// Robots with equal keys share a roadmap: same model, same place.
-using Place = std::tuple<const RobotModel*, std::vector<double>>;
-
-Place place_of(const Robot& robot) {
-  const auto& m = robot.base.matrix();
-  return {robot.model.get(), std::vector<double>(m.data(), m.data() + m.size())};
-}
 
 // Times a path at the robot's limits from `from` (s) on.
 Trajectory timed(const RobotModel& model, const std::vector<Configuration>& path, double from) {
@@ -33,34 +23,27 @@ Trajectory timed(const RobotModel& model, const std::vector<Configuration>& path
 
 }  // namespace
 
-PathPlanner::PathPlanner(const CollisionWorld& world) : world_(world) {
-  std::map<Place, std::shared_ptr<RobotRoadmap>> known;
-  const auto count = static_cast<std::uint32_t>(world.scene().robots.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    auto& roadmap = known[place_of(world.scene().robot({i}))];
-    if (!roadmap) roadmap = std::make_shared<RobotRoadmap>(world, RobotId{i});
-    roadmaps_.push_back(roadmap);
-  }
-}
-
-Resolution PathPlanner::plan(const Subproblem& subproblem, const std::atomic<bool>& stop) const {
+Resolution plan_alone(const Workspace& workspace, const Subproblem& subproblem,
+                      const std::atomic<bool>& stop) {
+  const CollisionWorld& world = workspace.world();
   const Task& task = subproblem.tasks.front();
-  const RobotModel& model = *world_.scene().robot(task.robot).model;
+  const RobotModel& model = *world.scene().robot(task.robot).model;
   Resolution resolution;
   Configuration goal(task.goal.size());
   nearest_representation(model, task.start, task.goal, goal);
   std::vector<Configuration> path{task.start, goal};
   resolution.solver = kStraight;
   ++resolution.effort.motion_checks;
-  resolution.solved = world_.motion_is_free(task.robot, task.start, goal);
-  const RobotRoadmap& roadmap = *roadmaps_[task.robot.index()];
+  resolution.solved = world.motion_is_free(task.robot, task.start, goal);
+  const RobotRoadmap& roadmap = workspace.roadmap(task.robot);
   for (std::size_t level = 0; !resolution.solved && level < RobotRoadmap::kLevels && !stop;
        ++level) {
     resolution.solver = kRoadmap;
+    resolution.roadmap_level = static_cast<int>(level);
     auto found = roadmap.query(level, task.start, task.goal, resolution.effort);
     if (!found) continue;
     path = std::move(*found);
-    shorten_alone(world_, task.robot, subproblem.seed, path, resolution.effort);
+    shorten_alone(world, task.robot, subproblem.seed, path, resolution.effort);
     resolution.solved = true;
   }
   if (resolution.solved) {

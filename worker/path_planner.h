@@ -5,31 +5,23 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
+#include <string_view>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
-#include "worker/robot_roadmap.h"
+#include "worker/workspace.h"
 
 namespace accord {
 
-class PathPlanner {
- public:
-  static constexpr std::string_view kStraight = "straight";
-  static constexpr std::string_view kRoadmap = "prm";
+inline constexpr std::string_view kStraight = "straight";
+inline constexpr std::string_view kRoadmap = "prm";
 
-  explicit PathPlanner(const CollisionWorld& world);
-
-  // The path of a subproblem's only robot from start to goal, from the window's start on; not
-  // solved when the largest roadmap holds none. Depends on scene and subproblem alone.
-  // Requires: one task, no outsiders.
-  Resolution plan(const Subproblem& subproblem, const std::atomic<bool>& stop) const;
-
- private:
-  const CollisionWorld& world_;
-  std::vector<std::shared_ptr<RobotRoadmap>> roadmaps_;  // by robot; shared
-};
+// The path of a subproblem's only robot from start to goal, from the window's start on; not solved
+// when the largest roadmap holds none. Depends on scene and subproblem alone.
+// Requires: one task, no outsiders.
+Resolution plan_alone(const Workspace& workspace, const Subproblem& subproblem,
+                      const std::atomic<bool>& stop);
 
 // Shortens a free path in place: jumps to the furthest waypoint in straight reach, then cuts
 // corners at seeded places until that stops paying. Stays free; ends stay.

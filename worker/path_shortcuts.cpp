@@ -21,7 +21,10 @@ double length(const RobotModel& model, const Configuration& a, const Configurati
 class Shortener {
  public:
   Shortener(const CollisionWorld& world, RobotId robot, Path& path, Effort& effort)
-      : world_(world), robot_(robot), model_(*world.scene().robot(robot).model), path_(path),
+      : world_(world),
+        robot_(robot),
+        model_(*world.scene().robot(robot).model),
+        path_(path),
         effort_(effort) {}
 
   // From each kept waypoint to the furthest one that halving the way ahead finds in reach.

@@ -5,10 +5,10 @@
 
 namespace accord {
 
-Resolution PrioritizedQuery::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+Resolution PrioritizedQuery::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                       const std::atomic<bool>& stop) const {
-  DecoupledRoadmaps roadmaps(world, subproblem);
-  Resolution resolution = prioritized_search(world, subproblem, roadmaps, stop);
+  DecoupledRoadmaps roadmaps(workspace, subproblem);
+  Resolution resolution = prioritized_search(workspace.world(), subproblem, roadmaps, stop);
   resolution.solver = kName;
   return resolution;
 }

@@ -12,7 +12,7 @@ class PrioritizedQuery final : public Solver {
   std::string_view name() const override { return kName; }
 
  private:
-  Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+  Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 };
 

@@ -49,8 +49,8 @@ class PrioritizedSearch {
                                   subproblem_.from, hold_until(subproblem_, task),
                                   subproblem_.limits.query_expansions};
       ++out.effort.searches;
-      auto found = safe_interval_search(team, roadmaps_.of(order[rank]), request,
-                                        out.effort.expansions);
+      auto found =
+          safe_interval_search(team, roadmaps_.of(order[rank]), request, out.effort.expansions);
       if (!found) {
         stuck_ = rank;
         return false;
@@ -135,10 +135,9 @@ Resolution prioritized_search(const CollisionWorld& world, const Subproblem& sub
   const std::size_t robots = subproblem.tasks.size();
   PrioritizedSearch search(world, subproblem, roadmaps);
   Effort effort;
-  Resolution best = robots <= 2
-                        ? best_of_all_orders(search, in_given_order(robots), effort)
-                        : first_order_that_works(search, in_given_order(robots), subproblem, stop,
-                                                 effort);
+  Resolution best = robots <= 2 ? best_of_all_orders(search, in_given_order(robots), effort)
+                                : first_order_that_works(search, in_given_order(robots), subproblem,
+                                                         stop, effort);
   best.effort = effort;
   best.effort.motion_checks += roadmaps.motion_checks();
   return best;

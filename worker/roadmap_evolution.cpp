@@ -43,7 +43,9 @@ double RoadmapEvolution::diagonal(const Component& component) {
   return std::sqrt(sum);
 }
 
-double RoadmapEvolution::diameter(std::size_t node) { return diagonal(components_[find(node)]); }
+double RoadmapEvolution::diameter(std::size_t node) {
+  return diagonal(components_[find(node)]);
+}
 
 NodeClass RoadmapEvolution::classify(std::size_t joined, bool any_failed, bool grew) {
   NodeClass result = NodeClass::kOversample;

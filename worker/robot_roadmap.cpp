@@ -59,9 +59,8 @@ struct PointTable {
   }
 };
 
-using KdTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>,
-                                        PointTable, -1, std::uint32_t>;
+using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>,
+                                                   PointTable, -1, std::uint32_t>;
 
 }  // namespace
 
@@ -156,10 +155,14 @@ template <class Level>
 class Query {
  public:
   Query(const Level& level, ConfigurationView start, ConfigurationView goal, Effort& effort)
-      : level_(level), start_(start), goal_(goal), effort_(effort),
+      : level_(level),
+        start_(start),
+        goal_(goal),
+        effort_(effort),
         goal_node_(static_cast<std::uint32_t>(level.nodes.size())),
         cost_(level.nodes.size() + 1, std::numeric_limits<double>::infinity()),
-        parent_(level.nodes.size() + 1, kStart), closed_(level.nodes.size() + 1, 0),
+        parent_(level.nodes.size() + 1, kStart),
+        closed_(level.nodes.size() + 1, 0),
         joins_goal_(level.nodes.size(), 0) {}
 
   std::optional<std::vector<Configuration>> run() {
@@ -252,6 +255,31 @@ const RobotRoadmap::Level& RobotRoadmap::level(std::size_t index) const {
     levels_[index] = std::make_unique<Level>(world_, robot_, samples);
   }
   return *levels_[index];
+}
+
+void RobotRoadmap::copy_into(std::size_t index, const Region& region, const Team& team,
+                             LocalRoadmap& out) const {
+  constexpr LocalRoadmap::Node kOutside = std::numeric_limits<LocalRoadmap::Node>::max();
+  const Level& from = level(index);
+  std::vector<LocalRoadmap::Node> copies(from.nodes.size(), kOutside);
+  const auto inside = [&](const Configuration& q) {
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      if (q[k] < region.lower[k] || q[k] > region.upper[k]) return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < from.nodes.size(); ++i) {
+    if (inside(from.nodes[i])) copies[i] = out.add(team, from.nodes[i], false);
+  }
+  for (std::size_t i = 0; i < from.nodes.size(); ++i) {
+    if (copies[i] == kOutside) continue;
+    for (const Level::Edge& edge : from.edges[i]) {
+      if (edge.to < i || copies[edge.to] == kOutside) continue;
+      const std::uint8_t proof = from.proofs[edge.id].load(std::memory_order_relaxed);
+      if (proof == Level::kBlocked) continue;
+      out.connect(team, copies[i], copies[edge.to], proof == Level::kFree);
+    }
+  }
 }
 
 std::optional<std::vector<Configuration>> RobotRoadmap::query(std::size_t index,

@@ -14,6 +14,7 @@
 
 #include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
+#include "worker/local_roadmap.h"
 
 namespace accord {
 
@@ -30,6 +31,11 @@ class RobotRoadmap {
   // Requires: start and goal are free, level < kLevels.
   std::optional<std::vector<Configuration>> query(std::size_t level, ConfigurationView start,
                                                   ConfigurationView goal, Effort& effort) const;
+
+  // Adds a level's nodes that lie in the region, and the edges between them, to a local roadmap of
+  // a team of this robot alone. Requires: level < kLevels.
+  void copy_into(std::size_t level, const Region& region, const Team& team,
+                 LocalRoadmap& out) const;
 
  private:
   struct Level;

@@ -37,8 +37,12 @@ struct Open {
 class Search {
  public:
   Search(Team& team, LocalRoadmap& roadmap, const SearchRequest& request)
-      : team_(team), roadmap_(roadmap), request_(request), first_(roadmap.size(), kNone),
-        count_(roadmap.size(), 0), bounds_(roadmap.size(), -1) {}
+      : team_(team),
+        roadmap_(roadmap),
+        request_(request),
+        first_(roadmap.size(), kNone),
+        count_(roadmap.size(), 0),
+        bounds_(roadmap.size(), -1) {}
 
   std::optional<Trajectory> run(std::uint64_t& expanded) {
     open_start();
@@ -60,7 +64,11 @@ class Search {
     load_states(request_.start);
     for (std::uint32_t i = 0; i < count_[request_.start]; ++i) {
       State& state = states_[first_[request_.start] + i];
-      if (state.interval.lo > request_.from || state.interval.hi < request_.from) continue;
+      // The start is where the robot is: it may lie in the slack of what it is passing just now.
+      constexpr double kLeeway = 2 * MovingObstacles::kSlack;
+      if (state.interval.lo > request_.from + kLeeway) continue;
+      if (state.interval.hi < request_.from - kLeeway) continue;
+      state.interval.hi = std::max(state.interval.hi, request_.from);
       state.arrival = request_.from;
       open_.push({request_.from, request_.from, first_[request_.start] + i});
     }
@@ -105,10 +113,10 @@ class Search {
     if (lo > hi || lo + edge.duration >= states_[to_id].arrival) return;
     if (!roadmap_.is_free(team_, from.node, edge)) return;
     target_.resize(team_.dof());
-    team_.nearest_representation(roadmap_.configuration(from.node),
-                                 roadmap_.configuration(edge.to), target_);
-    const auto departure = team_.earliest_departure(roadmap_.configuration(from.node), target_,
-                                                    edge.duration, lo, hi);
+    team_.nearest_representation(roadmap_.configuration(from.node), roadmap_.configuration(edge.to),
+                                 target_);
+    const auto departure =
+        team_.earliest_departure(roadmap_.configuration(from.node), target_, edge.duration, lo, hi);
     if (!departure) return;
     const double arrival = *departure + edge.duration;
     const double bound = arrival + least_time_to_goal(edge.to);

@@ -20,8 +20,9 @@ struct SearchRequest {
   std::size_t expansions;  // gives up after so many
 };
 
-// The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such path, or the expansions ran out. Proves edges as it needs
-// them. `expanded` is increased by the states expanded.
+// The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such
+// path, or the expansions ran out. Proves edges as it needs them. `expanded` is increased by the
+// states expanded.
 std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
                                                const SearchRequest& request,
                                                std::uint64_t& expanded);

@@ -8,16 +8,16 @@
 
 namespace accord {
 
-Resolution Solver::solve(const CollisionWorld& world, const Subproblem& subproblem,
+Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproblem,
                          const std::atomic<bool>& stop) const {
   if (subproblem.tasks.empty() || stop) return {};
-  return do_solve(world, subproblem, stop);
+  return do_solve(workspace, subproblem, stop);
 }
 
 const std::vector<std::string>& local_solver_names() {
-  static const std::vector<std::string> names{
-      std::string(PrioritizedQuery::kName), std::string(DecoupledPrm::kName),
-      std::string(CompositePrm::kName)};
+  static const std::vector<std::string> names{std::string(PrioritizedQuery::kName),
+                                              std::string(DecoupledPrm::kName),
+                                              std::string(CompositePrm::kName)};
   return names;
 }
 
@@ -35,11 +35,11 @@ SolverHierarchy::SolverHierarchy(const std::vector<std::string>& names) {
   }
 }
 
-Resolution SolverHierarchy::do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+Resolution SolverHierarchy::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                      const std::atomic<bool>& stop) const {
   Effort effort;
   for (const auto& solver : solvers_) {
-    Resolution resolution = solver->solve(world, subproblem, stop);
+    Resolution resolution = solver->solve(workspace, subproblem, stop);
     effort += resolution.effort;
     resolution.effort = effort;
     if (resolution.solved || stop) return resolution;

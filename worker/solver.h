@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
+#include "worker/workspace.h"
 
 namespace accord {
 
@@ -20,14 +20,14 @@ class Solver {
   // A resolution whose local paths are free, at every instant, of obstacles, of each other and of
   // the outsiders (until all leave the window together, or the horizon); or one that is not solved.
   // Depends on the subproblem alone, unless `stop` becomes true, which ends the attempt unsolved
-  // soon. Requires: the subproblem is of the world's scene. Thread safe.
-  Resolution solve(const CollisionWorld& world, const Subproblem& subproblem,
+  // soon. Requires: the subproblem is of the workspace's scene. Thread safe.
+  Resolution solve(const Workspace& workspace, const Subproblem& subproblem,
                    const std::atomic<bool>& stop) const;
 
   virtual std::string_view name() const = 0;
 
  private:
-  virtual Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+  virtual Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                               const std::atomic<bool>& stop) const = 0;
 };
 
@@ -46,7 +46,7 @@ class SolverHierarchy final : public Solver {
   std::string_view name() const override { return "hierarchy"; }
 
  private:
-  Resolution do_solve(const CollisionWorld& world, const Subproblem& subproblem,
+  Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 
   std::vector<std::unique_ptr<Solver>> solvers_;

@@ -75,8 +75,8 @@ double Team::duration(ConfigurationView a, ConfigurationView b) const {
   double longest = 0;
   for (std::size_t k = 0; k < dof_; ++k) delta_[k] = b[k] - a[k];
   for (std::size_t i = 0; i < size(); ++i) {
-    longest = std::max(longest, least_duration(*world_.scene().robot(members_[i]).model,
-                                               part(delta_, i)));
+    longest = std::max(longest,
+                       least_duration(*world_.scene().robot(members_[i]).model, part(delta_, i)));
   }
   return longest;
 }
@@ -94,8 +94,7 @@ double Team::squared_distance(ConfigurationView a, ConfigurationView b) const {
 void Team::nearest_representation(ConfigurationView a, ConfigurationView b,
                                   std::span<double> out) const {
   for (std::size_t i = 0; i < size(); ++i) {
-    accord::nearest_representation(*world_.scene().robot(members_[i]).model, part(a, i),
-                                   part(b, i),
+    accord::nearest_representation(*world_.scene().robot(members_[i]).model, part(a, i), part(b, i),
                                    out.subspan(offsets_[i], offsets_[i + 1] - offsets_[i]));
   }
 }

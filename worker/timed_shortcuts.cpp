@@ -10,7 +10,7 @@ namespace {
 constexpr int kMostCuts = 120;
 constexpr int kFailuresInARow = 20;
 // A cut that saves less is not worth a check.
-constexpr double kLeastSaving = 1e-3;  // s
+constexpr double kLeastSaving = 1e-3;     // s
 constexpr double kShortestMotion = 1e-5;  // s
 
 class CornerCutter {

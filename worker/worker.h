@@ -9,8 +9,8 @@
 
 #include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
-#include "worker/path_planner.h"
 #include "worker/solver.h"
+#include "worker/workspace.h"
 
 namespace accord {
 
@@ -18,14 +18,13 @@ class Worker {
  public:
   // `solvers`: the hierarchy, in order. Requires: names of local_solver_names().
   Worker(const CollisionWorld& world, const std::vector<std::string>& solvers)
-      : world_(world), path_planner_(world), hierarchy_(solvers) {}
+      : workspace_(world), hierarchy_(solvers) {}
 
   // A robot on its own is given its path; a team goes through the hierarchy.
   Resolution solve(const Subproblem& subproblem, const std::atomic<bool>& stop) const;
 
  private:
-  const CollisionWorld& world_;
-  PathPlanner path_planner_;
+  Workspace workspace_;
   SolverHierarchy hierarchy_;
 };
 

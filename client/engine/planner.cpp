@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 ProgressCallback thinned(const ProgressCallback& progress) {
   if (!progress) return {};
-  return [progress, last = Clock::time_point{}, phase = std::optional<Progress::Phase>{}](
-             const Progress& now) mutable {
+  return [progress, last = Clock::time_point{},
+          phase = std::optional<Progress::Phase>{}](const Progress& now) mutable {
     if (phase == now.phase && Clock::now() - last < kReportEvery) return;
     phase = now.phase;
     last = Clock::now();
@@ -80,7 +80,9 @@ void fill_statistics(const ArcStatistics& from, double conflicts_share, Plan& pl
 
 }  // namespace
 
-const std::vector<std::string>& solver_names() { return local_solver_names(); }
+const std::vector<std::string>& solver_names() {
+  return local_solver_names();
+}
 
 Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
           const ProgressCallback& progress, const std::atomic<bool>* cancel) {
@@ -116,8 +118,8 @@ Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
       throw std::logic_error("the planner made a plan that does not hold: " +
                              verdict.violation->text);
     }
-    plan.statistics.emplace_back(
-        "proof_time", std::chrono::duration<double>(Clock::now() - proof_begin).count());
+    plan.statistics.emplace_back("proof_time",
+                                 std::chrono::duration<double>(Clock::now() - proof_begin).count());
   }
   plan.planning_time = std::chrono::duration<double>(Clock::now() - begin).count();
   return plan;

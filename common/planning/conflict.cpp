@@ -87,8 +87,8 @@ class Sweep {
       path_a_.at(end, to_a_);
       path_b_.at(end, to_b_);
       if (end > t) {
-        const auto contact = world_.first_contact(a_, {from_a_, to_a_, t, end}, b_,
-                                                  {from_b_, to_b_, t, end});
+        const auto contact =
+            world_.first_contact(a_, {from_a_, to_a_, t, end}, b_, {from_b_, to_b_, t, end});
         if (contact) return contact;
       }
       if (end >= until) return std::nullopt;

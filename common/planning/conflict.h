@@ -12,9 +12,9 @@ class CollisionWorld;
 
 // The earliest instant at which two robots come closer than the world's required separation.
 struct Conflict {
-  RobotId first;   // first < second, so that a pair has one name
+  RobotId first;  // first < second, so that a pair has one name
   RobotId second;
-  double time;     // s: everything before is proved free
+  double time;  // s: everything before is proved free
 };
 
 // Finds the earliest conflict of two trajectories in [from, until] (s); `until` may be infinite,

@@ -21,12 +21,13 @@ struct Region {
 // One robot of a subproblem.
 struct Task {
   RobotId robot;
-  std::uint64_t version;  // of the robot's trajectory that this was computed from
-  Configuration start;    // at the window's start
-  Configuration goal;     // to be reached at its end, or later
-  Region region;          // holds start, goal and guide
-  Trajectory guide;       // the robot's present path inside the window
-  Trajectory tail;        // and after it, as far as the horizon; starts at the goal at `to`
+  std::uint64_t version;   // of the robot's trajectory that this was computed from
+  Configuration start;     // at the window's start
+  Configuration goal;      // to be reached at its end, or later
+  Region region;           // holds start, goal and guide
+  Trajectory guide;        // the robot's present path inside the window
+  Trajectory tail;         // and after it, as far as the horizon; starts at the goal at `to`
+  int roadmap_level = -1;  // of the robot's own roadmap, to search on as well; -1: none
 };
 
 // A robot that is not part of the subproblem and keeps to its present path.
@@ -38,20 +39,20 @@ struct Outsider {
 
 // What bounds a solution attempt. Counts, never time: budgets must not depend on the machine.
 struct SolverLimits {
-  std::size_t query_expansions = 4000;      // states expanded by one safe-interval search
-  std::size_t priority_orders = 6;          // orders tried by prioritized planning
-  std::size_t decoupled_samples = 96;       // free samples a robot adds at most
-  std::size_t composite_nodes = 400;        // nodes of one composite roadmap at most
+  std::size_t query_expansions = 4000;        // states expanded by one safe-interval search
+  std::size_t priority_orders = 6;            // orders tried by prioritized planning
+  std::size_t decoupled_samples = 96;         // free samples a robot adds at most
+  std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most
   std::size_t composite_window_per_dof = 12;  // W of the adaptive termination, per dof
 };
 
 struct Subproblem {
   std::uint64_t seed = 0;
-  double from = 0;      // s: all robots are at their starts
-  double to = 0;        // s: when the present paths reach the goals
-  double horizon = 0;   // s: outsiders are avoided until then; what comes later is left to later
-                        // subproblems, which will know it better
-  bool whole = false;   // E' = E and Q' = Q: the last solver goes on to its own limit
+  double from = 0;     // s: all robots are at their starts
+  double to = 0;       // s: when the present paths reach the goals
+  double horizon = 0;  // s: outsiders are avoided until then; what comes later is left to later
+                       // subproblems, which will know it better
+  bool whole = false;  // E' = E and Q' = Q: the last solver goes on to its own limit
   std::vector<Task> tasks;          // in the order of robot ids
   std::vector<Outsider> outsiders;  // in the order of robot ids
   SolverLimits limits;
@@ -76,6 +77,7 @@ struct Effort {
 struct Resolution {
   bool solved = false;            // else: exhausted
   std::string solver;             // which one found it
+  int roadmap_level = -1;         // of the roadmap that a robot's own path was found on; -1: none
   double end = 0;                 // s: when the last robot arrives at its goal
   std::vector<Trajectory> paths;  // one a task; from `from` to its arrival, at most `end`
   Effort effort;

@@ -35,7 +35,7 @@ Verdict refuted(Violation violation) {
 
 }  // namespace
 
-Verdict verify(std::shared_ptr<const Scene> scene, const Plan& plan, unsigned threads) {
+Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads) {
   threads = std::max(threads, 1U);
   if (auto violation = check_form(*scene, plan)) return refuted(*std::move(violation));
 

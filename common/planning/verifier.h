@@ -59,6 +59,6 @@ struct Verdict {
 
 // Requires: the scene passed io's checks. Any plan is acceptable input. `threads` changes only the
 // time it takes. Thread safe.
-Verdict verify(std::shared_ptr<const Scene> scene, const Plan& plan, unsigned threads = 1);
+Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads = 1);
 
 }  // namespace accord

@@ -1,6 +1,7 @@
 // Small scenes for tests, built in a line or two.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "common/model/scene.h"
+#include "common/model/trajectory.h"
 
 namespace accord::testing {
 

@@ -31,7 +31,7 @@ Problem whole_problem(std::shared_ptr<const Scene> scene, std::size_t members) {
     const Trajectory guide = testing::path({{0, robot.start}, {12, robot.goal}});
     if (id < members) {
       subproblem.tasks.push_back(
-          {{id}, 1, robot.start, robot.goal, whole_region(*scene, {id}), guide});
+          {{id}, 1, robot.start, robot.goal, whole_region(*scene, {id}), guide, {}, -1});
     } else {
       subproblem.outsiders.push_back({{id}, 1, guide});
     }
@@ -94,15 +94,16 @@ using Case = std::tuple<std::string, Problem (*)()>;
 class SolverContract : public ::testing::TestWithParam<Case> {
  protected:
   SolverContract()
-      : problem_(std::get<1>(GetParam())()), world_(problem_.scene, kPlanningMargin),
+      : problem_(std::get<1>(GetParam())()), world_(problem_.scene, kPlanningMargin), workspace_(world_),
         solver_(make_solver(std::get<0>(GetParam()))) {}
 
   Resolution solve(const std::atomic<bool>& stop = kGoOn) const {
-    return solver_->solve(world_, problem_.subproblem, stop);
+    return solver_->solve(workspace_, problem_.subproblem, stop);
   }
 
   Problem problem_;
   CollisionWorld world_;
+  Workspace workspace_;
   std::unique_ptr<Solver> solver_;
 };
 
@@ -146,7 +147,7 @@ TEST(Hierarchy, EachLevelSolvesWhatTheOnesBeforeItCannot) {
     const Problem problem = make();
     const CollisionWorld world(problem.scene, kPlanningMargin);
     return SolverHierarchy(local_solver_names())
-        .solve(world, problem.subproblem, kGoOn)
+        .solve(Workspace(world), problem.subproblem, kGoOn)
         .solver;
   };
   EXPECT_EQ(solver_of(crossing_discs), "prioritized-query");
