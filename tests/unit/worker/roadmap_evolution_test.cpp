@@ -30,7 +30,7 @@ TEST(RoadmapEvolution, SettlesOnceAWholeWindowBroughtNothing) {
   const auto first = evolution.add(Configuration{0});
   evolution.classify(0, false, false);
   for (int i = 0; i < 30; ++i) {
-    if (i < 19) EXPECT_FALSE(evolution.has_settled()) << i;
+    EXPECT_EQ(evolution.has_settled(), i >= 19) << i;
     evolution.join(evolution.add(Configuration{0}), first);
     evolution.classify(1, false, false);
   }

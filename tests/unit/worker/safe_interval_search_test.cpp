@@ -30,7 +30,7 @@ class SafeIntervalSearch : public ::testing::Test {
     roadmap_.connect(team_, mouth, goal_);
   }
 
-  std::optional<SearchResult> search() {
+  std::optional<Trajectory> search() {
     std::uint64_t expanded = 0;
     return safe_interval_search(team_, roadmap_, {start_, goal_, 0, 0, 1000}, expanded);
   }
@@ -45,7 +45,7 @@ class SafeIntervalSearch : public ::testing::Test {
 TEST_F(SafeIntervalSearch, TakesTheShortestWayWhenNothingMoves) {
   const auto found = search();
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->path.end_time(), 10, 1e-4);
+  EXPECT_NEAR(found->end_time(), 10, 1e-4);
 }
 
 TEST_F(SafeIntervalSearch, StepsAsideForAnotherRobotAndGoesOn) {
@@ -53,8 +53,8 @@ TEST_F(SafeIntervalSearch, StepsAsideForAnotherRobotAndGoesOn) {
   team_.avoid(kOther, testing::path({{0, {5, 0}}, {2, {3, 0}}, {6, {3, 0}}, {14, {-5, 0}}}));
   const auto found = search();
   ASSERT_TRUE(found);
-  EXPECT_GT(found->path.end_time(), 14);
-  EXPECT_LT(found->path.end_time(), 20);
+  EXPECT_GT(found->end_time(), 14);
+  EXPECT_LT(found->end_time(), 20);
 }
 
 TEST_F(SafeIntervalSearch, FindsNothingWhenTheOtherNeverLetsItIn) {
@@ -68,7 +68,7 @@ TEST_F(SafeIntervalSearch, WaitsForAGoalThatIsStillToBeCrossed) {
   const auto found =
       safe_interval_search(team_, roadmap_, {start_, goal_, 0, 38, 1000}, expanded);
   ASSERT_TRUE(found);
-  EXPECT_GT(found->path.end_time(), 38);  // the goal has to be free from 38 s on
+  EXPECT_GT(found->end_time(), 38);  // the goal has to be free from 38 s on
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Problem whole_problem(std::shared_ptr<const Scene> scene, std::size_t members) {
   subproblem.seed = 5;
   subproblem.to = 12;
   subproblem.horizon = 60;
+  subproblem.whole = true;
   for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
     const Robot& robot = scene->robot({id});
     const Trajectory guide = testing::path({{0, robot.start}, {12, robot.goal}});
