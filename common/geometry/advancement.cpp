@@ -84,7 +84,7 @@ typename Advancement<D>::Cover Advancement<D>::look(Pair<D>& pair, double back, 
   if ((b.frame.t - a.frame.t).squaredNorm() > far * far) return {back, forward, false};
   ++distances;
   // A little more than needed: pairs at rest to each other need no more than what is contact.
-  const Wanted wanted{need + kContactResolution, pair.keep, 1e-10, 0.02};
+  const Wanted wanted{need + kContactResolution, pair.keep, 1e-10, 0.02, true};
   const Gap<D> gap = accord::gap(a, b, wanted, pair.normal);
   pair.normal = gap.normal;
   const double slack = gap.distance - pair.keep;

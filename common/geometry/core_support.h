@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "common/geometry/mesh_surface.h"
 #include "common/geometry/piece.h"
 
 namespace accord {
@@ -18,8 +19,9 @@ class CoreSupport {
     switch (piece_.core) {
       case Core::kSegment:
         return t_ + std::copysign(piece_.half.x(), frame_.axis().dot(d)) * frame_.axis();
-      case Core::kBox:
-      case Core::kMesh: {  // a mesh stands for its box here
+      case Core::kMesh:  // stands for its hull here, without the radius
+        return t_ + frame_.rotate(piece_.mesh->hull().farthest(frame_.unrotate(d)));
+      case Core::kBox: {
         const Vec<3> local = frame_.unrotate(d);
         return t_ + frame_.rotate({std::copysign(piece_.half.x(), local.x()),
                                    std::copysign(piece_.half.y(), local.y()),

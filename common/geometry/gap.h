@@ -26,6 +26,7 @@ struct Wanted {
   double contact = 0;                                       // m
   double tolerance = 1e-10;                                 // m
   double relative = 0;
+  bool hull_will_do = false;  // a mesh may stand for its hull, where that is clear of `contact`
 };
 
 // `hint` is a guess at the normal, any length but 0; good ones save time, none changes what holds.

@@ -98,12 +98,23 @@ Result convex(const Placed<3>& a, const Placed<3>& b, const Wanted& wanted, cons
              first_direction(a, b, hint));
 }
 
-// First as boxes, whose normal is worth having; then triangle by triangle.
+double hull_radius(const Placed<3>& placed) {
+  return placed.piece->core == Core::kMesh ? placed.piece->mesh->hull().radius : 0.0;
+}
+
+// First by the hulls, whose normal is worth having; then triangle by triangle.
 Result meshes(const Placed<3>& a, const Placed<3>& b, const Wanted& wanted, const V& hint) {
+  const double radii = hull_radius(a) + hull_radius(b);
   Wanted coarse = wanted;
-  coarse.tolerance = std::max(wanted.tolerance, 0.01 * (a.piece->bound + b.piece->bound));
+  coarse.enough += radii;
+  coarse.contact += radii;
+  coarse.tolerance = std::max(wanted.tolerance, 0.1 * radii);
   Result result = convex(a, b, coarse, hint);
+  result.distance = std::max(result.distance - radii, 0.0);
   if (result.distance >= wanted.enough) return result;
+  // Near the hull it would not do: a motion into a hollow would stop short of it.
+  const double far = 0.02 * (a.piece->bound + b.piece->bound) + 4 * radii;
+  if (wanted.hull_will_do && result.distance > wanted.contact + far) return result;
   double distance;
   if (a.piece->core != Core::kMesh) {
     distance = b.piece->mesh->distance(b.frame, a, wanted);
@@ -116,13 +127,14 @@ Result meshes(const Placed<3>& a, const Placed<3>& b, const Wanted& wanted, cons
   return result;
 }
 
-Result to_half_space(const Placed<3>& a, const Placed<3>& wall) {
+Result to_half_space(const Placed<3>& a, const Placed<3>& wall, const Wanted& wanted) {
   const V n = wall.frame.axis();
-  if (a.piece->core == Core::kMesh) {
+  const double by_hull = separation_along(a, wall, n);
+  if (a.piece->core == Core::kMesh && by_hull < wanted.enough) {
     const double reach = a.piece->mesh->support(a.frame.unrotate(n));
     return {n.dot(wall.frame.t - a.frame.t) - reach, n, true};
   }
-  return {separation_along(a, wall, n), n, true};
+  return {by_hull, n, true};
 }
 
 }  // namespace
@@ -131,7 +143,7 @@ template <>
 Gap<3> gap(const Placed<3>& a, const Placed<3>& b, const Wanted& wanted, const V& hint) {
   const Core ca = a.piece->core;
   const Core cb = b.piece->core;
-  if (cb == Core::kHalfSpace) return to_half_space(a, b);
+  if (cb == Core::kHalfSpace) return to_half_space(a, b, wanted);
   if (ca == Core::kMesh || cb == Core::kMesh) return meshes(a, b, wanted, hint);
   if (ca == Core::kPoint) return point_to(a.frame.t, b);
   if (cb == Core::kPoint) return reversed(point_to(b.frame.t, a));

@@ -31,8 +31,11 @@ bool reduce_to_closest(GjkSimplex& simplex, Vec<3>& closest);
 
 // A and B: callable with a direction (any length but 0), returning the set's point farthest along
 // it; both in the same coordinates, whose origin should be near.
+// `least`, where given, is lowered to the distance of the closest two points that were met: an
+// upper bound.
 template <typename A, typename B>
-Gap<3> gjk(const A& a, const B& b, const Wanted& wanted, const Vec<3>& hint) {
+Gap<3> gjk(const A& a, const B& b, const Wanted& wanted, const Vec<3>& hint,
+           double* least = nullptr) {
   constexpr int kMostIterations = 60;
   constexpr double kTouching = 1e-13;  // m
   Gap<3> best;
@@ -52,8 +55,9 @@ Gap<3> gjk(const A& a, const B& b, const Wanted& wanted, const Vec<3>& hint) {
     if (doubt <= wanted.relative * (best.distance - wanted.contact)) break;
     if (simplex.contains(w)) break;
     simplex.points[static_cast<std::size_t>(simplex.count++)] = w;
-    if (!reduce_to_closest(simplex, v)) break;
+    if (!reduce_to_closest(simplex, v)) v.setZero();
     const double next = v.norm();
+    if (least != nullptr) *least = std::min(*least, next);
     if (next <= wanted.contact) break;
     if (!(next < upper)) break;  // no progress but rounding
     upper = next;

@@ -88,14 +88,21 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh)
   tree_->triangles = mesh.triangles;
   for (const Vec3& v : mesh.vertices) tree_->vertices.push_back(v - center_);
   half_.setZero();
+  std::vector<Vec3> used;
   std::vector<fcl::Triangle> triangles;
   for (const auto& triangle : mesh.triangles) {
     triangles.emplace_back(triangle[0], triangle[1], triangle[2]);
     for (const std::uint32_t v : triangle) {
       half_ = half_.cwiseMax(tree_->vertices[v].cwiseAbs());
       bound_ = std::max(bound_, tree_->vertices[v].norm());
+      used.push_back(tree_->vertices[v]);
     }
   }
+  std::sort(used.begin(), used.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  hull_ = rounded_hull(used);
   tree_->hierarchy.beginModel(static_cast<int>(triangles.size()),
                               static_cast<int>(tree_->vertices.size()));
   tree_->hierarchy.addSubModel(tree_->vertices, triangles);

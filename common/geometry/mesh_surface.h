@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "common/geometry/gap.h"
+#include "common/geometry/rounded_hull.h"
 #include "common/model/shape.h"
 
 namespace accord {
@@ -23,6 +24,7 @@ class MeshSurface {
   const Vec3& half_extents() const { return half_; }  // of its box
   double bound() const { return bound_; }             // of its vertices' distance from the centre
   bool closed() const { return closed_; }
+  const RoundedHull& hull() const { return hull_; }  // of the surface, about the centre
 
   Vec3 some_point() const;  // a vertex, about the centre
 
@@ -46,6 +48,7 @@ class MeshSurface {
   Vec3 center_;
   Vec3 half_;
   double bound_ = 0;
+  RoundedHull hull_;
   bool closed_ = false;
   std::unique_ptr<Tree> tree_;
 };

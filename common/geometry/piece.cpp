@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/mesh_surface.h"
+
 namespace accord {
 
 template <>
@@ -34,8 +36,12 @@ double support(const Placed<3>& placed, const Vec<3>& m) {
   switch (piece.core) {
     case Core::kSegment:
       return piece.half.x() * std::abs(placed.frame.axis().dot(m));
-    case Core::kBox:
-    case Core::kMesh: {  // a mesh lies within its box
+    case Core::kMesh: {  // a mesh lies within its rounded hull
+      const Vec<3> local = placed.frame.unrotate(m);
+      const RoundedHull& hull = piece.mesh->hull();
+      return local.dot(hull.farthest(local)) + hull.radius * m.norm();
+    }
+    case Core::kBox: {
       const Vec<3> local = placed.frame.unrotate(m);
       return piece.half.dot(local.cwiseAbs());
     }

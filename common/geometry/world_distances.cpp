@@ -21,7 +21,7 @@ double WorldCore<D>::obstacle_distance(RobotId robot, ConfigurationView q, doubl
       const double far = best + radii + piece.piece->bound + obstacle.piece->bound;
       if (best <= 0 || (obstacle.frame.t - piece.frame.t).squaredNorm() > far * far) return best;
       ++work.distances;
-      const Wanted wanted{best + radii, radii, 1e-8, 0};
+      const Wanted wanted{best + radii, radii, 1e-8, 0, false};
       const Gap<D> gap = accord::gap(piece, obstacle, wanted, Vec<D>(Vec<D>::Zero()));
       best = std::clamp(gap.distance - radii, 0.0, best);
       return best;
@@ -48,7 +48,7 @@ double WorldCore<D>::separation(RobotId a, ConfigurationView qa, RobotId b, Conf
       if ((other.frame.t - p.frame.t).squaredNorm() > far * far) continue;
       if (solids_ && (contains(p, other) || contains(other, p))) return 0;
       ++work.distances;
-      const Wanted wanted{best + radii, radii, 1e-8, 0};
+      const Wanted wanted{best + radii, radii, 1e-8, 0, false};
       const Gap<D> gap = accord::gap(p, other, wanted, Vec<D>(Vec<D>::Zero()));
       best = std::clamp(gap.distance - radii, 0.0, best);
       if (best <= 0) return 0;

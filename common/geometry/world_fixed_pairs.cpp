@@ -136,7 +136,7 @@ bool WorldCore<D>::add_disc_pairs(RobotId robot, bool only_one, Work& work) cons
     const Placed<D>& obstacle = fixed_[static_cast<std::size_t>(fixed)];
     const double keep = apart_ + radius + obstacle.piece->radius;
     ++work.distances;
-    const Wanted wanted{keep + kContactResolution, keep, 1e-10, 0};
+    const Wanted wanted{keep + kContactResolution, keep, 1e-10, 0, false};
     const bool clear = gap(swept, obstacle, wanted, Vec<D>(Vec<D>::Zero())).distance > keep;
     if (clear && !(solids_ && contains(obstacle, swept))) return true;
     work.pairs.push_back(fixed_pair<D>(0, fixed, keep, speed, 0));
