@@ -5,7 +5,7 @@ namespace accord {
 
 enum class ExitCode : int {
   kSuccess = 0,     // solved, proved, or done
-  kBug = 1,         // accord itself is wrong; please report it
+  kBug = 1,         // accord itself is wrong, or out of memory
   kUsage = 2,       // the command line makes no sense
   kBadInput = 3,    // a file cannot be read or written, or is wrong
   kInfeasible = 4,  // there is no plan, or the plan given is refuted

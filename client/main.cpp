@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "client/commands.h"
 #include "client/exit_code.h"
@@ -10,7 +11,7 @@ namespace {
 
 constexpr const char* kFooter = R"(Exit codes:
   0  solved, proved, or done
-  1  a bug in accord
+  1  a bug in accord, or not enough memory
   2  the command line makes no sense
   3  a file cannot be read or written, or is wrong
   4  there is no plan, or the plan given is refuted
@@ -43,6 +44,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "accord: out of memory\n";
+    return static_cast<int>(accord::ExitCode::kBug);
   } catch (const std::exception& error) {
     std::cerr << "accord: internal error: " << error.what()
               << "\nThis is a bug in accord. Please report it with the scene and the command.\n";
