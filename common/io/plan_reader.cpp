@@ -167,11 +167,12 @@ class PlanReader {
       if (faults_.full()) return segments;
       if (!expect_map(value, "a segment", faults_)) continue;
       const Fields fields(value, "a segment", {"from", "to", "robots", "solver"}, faults_);
+      const std::size_t before = faults_.count();
       PlanSegment segment{number(fields, "from", kTime), number(fields, "to", kTime),
                           read_names(fields), text(fields, "solver")};
-      if (segment.to < segment.from) {
-        fault_at(*fields.find("to"), "ends before it begins, at " + in_words(segment.from),
-                 faults_);
+      const auto to = fields.find("to");
+      if (faults_.count() == before && to && segment.to < segment.from) {
+        fault_at(*to, "ends before it begins, at " + in_words(segment.from), faults_);
       }
       segments.push_back(std::move(segment));
     }

@@ -26,8 +26,8 @@ tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference,
   const std::size_t slash = in_package.find('/');
   const std::string_view rest =
       slash == std::string_view::npos ? std::string_view() : in_package.substr(slash + 1);
-  const auto here = resolve(rest, folder);
-  const auto above = resolve(rest, (folder / "..").lexically_normal());
+  auto here = resolve(rest, folder);
+  auto above = resolve(rest, (folder / "..").lexically_normal());
   if (!here || !above) return here;
   std::error_code error;
   if (fs::is_regular_file(*here, error)) return here;
