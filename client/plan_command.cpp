@@ -91,7 +91,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
   command.add_option("-s,--seed", options.plan.seed, "Decides all that is drawn at random")
       ->capture_default_str();
   command.add_option("-t,--timeout", options.timeout, "Give up after so many seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1e-3, 1e7));
   command
       .add_option("-w,--workers", options.plan.workers,
                   "Threads; the plan is the same for any number (default: one for each core)")

@@ -7,7 +7,7 @@
 
 namespace accord {
 
-using Configuration = std::vector<double>;      // owns its numbers
+using Configuration = std::vector<double>;  // owns its numbers
 using ConfigurationView = std::span<const double>;
 
 }  // namespace accord

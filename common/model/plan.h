@@ -35,10 +35,10 @@ struct Plan {
   std::string message;  // why, for every status but solved
   std::string method = "arc";
   std::uint64_t seed = 1;
-  double timestep = 0.1;        // s
-  double planning_time = 0;     // s, wall clock
-  double makespan = 0;          // s
-  double sum_of_costs = 0;      // s
+  double timestep = 0.1;     // s
+  double planning_time = 0;  // s, wall clock
+  double makespan = 0;       // s
+  double sum_of_costs = 0;   // s
   std::int64_t sum_of_costs_timesteps = 0;
   std::vector<RobotPlan> robots;  // in the scene's order; empty unless solved
   // Counts and times of the run. Names that end in "_time" are wall-clock seconds; everything else

@@ -36,18 +36,18 @@ enum class JointType { kFixed, kRevolute, kPrismatic };
 struct Joint {
   std::string name;
   JointType type;
-  int parent;   // link index
-  int child;    // link index
+  int parent;  // link index
+  int child;   // link index
   Pose origin;
   Vec3 axis;
-  int dof;      // index into q; -1 for fixed joints
+  int dof;  // index into q; -1 for fixed joints
 };
 
 struct Body {
   std::string name;  // the link's name, for messages
   int link;          // the link that carries it
   Shape shape;
-  Pose pose;         // in the link's frame
+  Pose pose;  // in the link's frame
 };
 
 // Shared by all robots that name the same model.

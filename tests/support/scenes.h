@@ -18,7 +18,8 @@ inline std::shared_ptr<const RobotModel> disk_model(double radius, double speed 
   model->name = "disk";
   model->kind = RobotKind::kDisk;
   const double infinity = std::numeric_limits<double>::infinity();
-  model->dofs = {{"x", -infinity, infinity, speed, false}, {"y", -infinity, infinity, speed, false}};
+  model->dofs = {{"x", -infinity, infinity, speed, false},
+                 {"y", -infinity, infinity, speed, false}};
   model->speed = speed;
   model->links = {"base"};
   model->bodies = {{"base", 0, Sphere{radius}, Pose::Identity()}};
@@ -82,8 +83,8 @@ class SceneBuilder {
   SceneBuilder& box(double x0, double y0, double x1, double y1) {
     Pose pose = Pose::Identity();
     pose.translation() = Vec3((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    scene_.obstacles.push_back({"box " + std::to_string(scene_.obstacles.size()),
-                                Box{Vec3(x1 - x0, y1 - y0, 1)}, pose});
+    scene_.obstacles.push_back(
+        {"box " + std::to_string(scene_.obstacles.size()), Box{Vec3(x1 - x0, y1 - y0, 1)}, pose});
     return *this;
   }
   SceneBuilder& robot(std::shared_ptr<const RobotModel> model, Configuration start,

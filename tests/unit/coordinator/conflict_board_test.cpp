@@ -32,9 +32,8 @@ std::vector<Conflict> all_pairs(const CollisionWorld& world, const Schedule& sch
   std::vector<Conflict> conflicts;
   for (std::uint32_t a = 0; a < kRobots; ++a) {
     for (std::uint32_t b = a + 1; b < kRobots; ++b) {
-      const auto time =
-          earliest_contact(world, {a}, schedule.path({a}), {b}, schedule.path({b}), 0,
-                           std::numeric_limits<double>::infinity());
+      const auto time = earliest_contact(world, {a}, schedule.path({a}), {b}, schedule.path({b}), 0,
+                                         std::numeric_limits<double>::infinity());
       if (time) conflicts.push_back({{a}, {b}, *time});
     }
   }

@@ -63,8 +63,10 @@ TEST_F(EarliestContact, LooksOnlyInsideTheTimeAskedFor) {
 }
 
 TEST_F(EarliestContact, IsNoneForRobotsThatPassWithRoomToSpare) {
-  EXPECT_FALSE(between(path({{0, {-10, 0}}, {20, {10, 0}}}), path({{0, {10, 1.01}}, {20, {-10, 1.01}}})));
-  EXPECT_TRUE(between(path({{0, {-10, 0}}, {20, {10, 0}}}), path({{0, {10, 0.99}}, {20, {-10, 0.99}}})));
+  EXPECT_FALSE(
+      between(path({{0, {-10, 0}}, {20, {10, 0}}}), path({{0, {10, 1.01}}, {20, {-10, 1.01}}})));
+  EXPECT_TRUE(
+      between(path({{0, {-10, 0}}, {20, {10, 0}}}), path({{0, {10, 0.99}}, {20, {-10, 0.99}}})));
 }
 
 }  // namespace

@@ -58,8 +58,7 @@ TEST_F(ScheduleTest, SplicesLocalPathsInAndGoesOnAlongTheTailsAtOnce) {
   ASSERT_TRUE(schedule_.commit(window(), detour()));
   EXPECT_EQ(schedule_.path(kFirst),
             path({{0, {0, 0}}, {3, {3, 0}}, {6, {5, 2}}, {9, {7, 0}}, {12, {10, 0}}}));
-  EXPECT_EQ(schedule_.path(kSecond),
-            path({{0, {10, 0}}, {3, {7, 0}}, {7, {3, 0}}, {10, {0, 0}}}));
+  EXPECT_EQ(schedule_.path(kSecond), path({{0, {10, 0}}, {3, {7, 0}}, {7, {3, 0}}, {10, {0, 0}}}));
 }
 
 TEST_F(ScheduleTest, KeepsTheCouplingTimelineWithoutGaps) {

@@ -84,9 +84,7 @@ TEST(MovingObstacles, EveryRestAndDepartureTheyAllowIsFreeOfConflicts) {
                          .build();
   const CollisionWorld world(scene, kPlanningMargin);
   RandomStream random(7);
-  const auto place = [&] {
-    return Configuration{random.uniform(-3, 3), random.uniform(-3, 3)};
-  };
+  const auto place = [&] { return Configuration{random.uniform(-3, 3), random.uniform(-3, 3)}; };
   int departures = 0;
   for (int round = 0; round < 300; ++round) {
     Trajectory other(2);
@@ -107,8 +105,8 @@ TEST(MovingObstacles, EveryRestAndDepartureTheyAllowIsFreeOfConflicts) {
     if (!departure) continue;
     ++departures;
     const Trajectory mine = testing::path({{*departure, a}, {*departure + duration, b}});
-    EXPECT_FALSE(earliest_contact(world, kMe, mine, kOther, other, *departure,
-                                  *departure + duration));
+    EXPECT_FALSE(
+        earliest_contact(world, kMe, mine, kOther, other, *departure, *departure + duration));
     // And no earlier departure on a fine grid is free: it is the earliest.
     for (double early = 0; early < *departure - 3e-3; early += 0.02) {
       EXPECT_FALSE(obstacles.motion_is_clear(a, b, early, duration)) << early;

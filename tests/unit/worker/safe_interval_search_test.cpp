@@ -20,7 +20,9 @@ class SafeIntervalSearch : public ::testing::Test {
                    .disk(0.5, {-5, 0}, {5, 0})
                    .disk(0.5, {5, 0}, {-5, 0})
                    .build()),
-        world_(scene_, kPlanningMargin), team_(world_, {kMe}, 0), roadmap_(team_) {
+        world_(scene_, kPlanningMargin),
+        team_(world_, {kMe}, 0),
+        roadmap_(team_) {
     start_ = roadmap_.add(team_, Configuration{-5, 0});
     goal_ = roadmap_.add(team_, Configuration{5, 0});
     const auto mouth = roadmap_.add(team_, Configuration{0, 0});
@@ -65,8 +67,7 @@ TEST_F(SafeIntervalSearch, FindsNothingWhenTheOtherNeverLetsItIn) {
 TEST_F(SafeIntervalSearch, WaitsForAGoalThatIsStillToBeCrossed) {
   team_.avoid(kOther, testing::path({{0, {9, 0}}, {30, {9, 0}}, {36, {3, 0}}, {42, {9, 0}}}));
   std::uint64_t expanded = 0;
-  const auto found =
-      safe_interval_search(team_, roadmap_, {start_, goal_, 0, 38, 1000}, expanded);
+  const auto found = safe_interval_search(team_, roadmap_, {start_, goal_, 0, 38, 1000}, expanded);
   ASSERT_TRUE(found);
   EXPECT_GT(found->end_time(), 38);  // the goal has to be free from 38 s on
 }

@@ -95,7 +95,9 @@ using Case = std::tuple<std::string, Problem (*)()>;
 class SolverContract : public ::testing::TestWithParam<Case> {
  protected:
   SolverContract()
-      : problem_(std::get<1>(GetParam())()), world_(problem_.scene, kPlanningMargin), workspace_(world_),
+      : problem_(std::get<1>(GetParam())()),
+        world_(problem_.scene, kPlanningMargin),
+        workspace_(world_),
         solver_(make_solver(std::get<0>(GetParam()))) {}
 
   Resolution solve(const std::atomic<bool>& stop = kGoOn) const {
