@@ -84,7 +84,7 @@ const std::vector<std::string>& solver_names() {
   return local_solver_names();
 }
 
-Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
+Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
           const ProgressCallback& progress, const std::atomic<bool>* cancel) {
   const auto begin = Clock::now();
   const Watchdog watchdog(options.timeout, cancel);

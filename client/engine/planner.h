@@ -33,7 +33,7 @@ const std::vector<std::string>& solver_names();
 // there is none (infeasible, timeout, cancelled when `cancel` becomes true). A plan that the
 // verifier refutes is a bug of the planner: std::logic_error that carries the verifier's words.
 // Requires: options.solvers holds names of solver_names() only; the scene passed io's checks.
-Plan plan(std::shared_ptr<const Scene> scene, const PlanOptions& options,
+Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
           const ProgressCallback& progress = {}, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace accord
