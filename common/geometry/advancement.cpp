@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/geometry/capsules.h"
 #include "common/geometry/opening.h"
 #include "common/geometry/tolerances.h"
 
@@ -83,6 +84,11 @@ typename Advancement<D>::Cover Advancement<D>::look(Pair<D>& pair, double back, 
   const double far = need + a.piece->bound + b.piece->bound;
   if ((b.frame.t - a.frame.t).squaredNorm() > far * far) return {back, forward, false};
   ++distances;
+  Vec<D> between = Vec<D>::Zero();
+  const Opinion opinion = by_capsules(a, b, pair.keep, need, between);
+  if (opinion == Opinion::kApart) return {back, forward, false};
+  if (opinion == Opinion::kTouching) return {0, 0, true};
+  if (pair.normal.isZero(0)) pair.normal = between;
   // A little more than needed: pairs at rest to each other need no more than what is contact.
   const Wanted wanted{need + kContactResolution, pair.keep, 1e-10, 0.02, true};
   const Gap<D> gap = accord::gap(a, b, wanted, pair.normal);
@@ -108,10 +114,10 @@ void Advancement<D>::start() {
   intervals_.push_back({0, 1, 0, pairs.size()});
 }
 
-// Looks at the middle, and leaves what that does not prove: pairs and stretches before and after
-// it. True where a pair is in contact there.
+// Looks at the middle, and leaves what that does not prove: pairs, and stretches before and after
+// it. True where a pair is in contact there; with `any`, at once.
 template <int D>
-bool Advancement<D>::split(const Interval& way, Interval& before, Interval& after) {
+bool Advancement<D>::split(const Interval& way, bool any, Interval& before, Interval& after) {
   const double middle = 0.5 * (way.low + way.high);
   const double half = 0.5 * (way.high - way.low);
   bool contact = false;
@@ -123,6 +129,7 @@ bool Advancement<D>::split(const Interval& way, Interval& before, Interval& afte
     const std::uint32_t id = ids_[i];
     const Cover cover = look(pairs[id], half, half);
     contact = contact || cover.contact || ++looks_ > kMostLooks;
+    if (contact && any) return true;
     if (cover.back < half) {
       ids_.push_back(id);
       before.high = std::max(before.high, middle - cover.back);
@@ -144,7 +151,7 @@ bool Advancement<D>::proves_free() {
   for (std::size_t k = 0; k < intervals_.size(); ++k) {
     Interval before;
     Interval after;
-    if (split(intervals_[k], before, after)) return false;
+    if (split(intervals_[k], true, before, after)) return false;
     if (before.end > before.begin) intervals_.push_back(before);
     if (after.end > after.begin) intervals_.push_back(after);
   }
@@ -195,7 +202,7 @@ std::optional<double> Advancement<D>::first_contact() {
     }
     Interval before;
     Interval after;
-    if (split(way, before, after)) {
+    if (split(way, false, before, after)) {
       contact = 0.5 * (way.low + way.high);
       intervals_.clear();
     } else if (after.end > after.begin) {

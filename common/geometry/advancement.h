@@ -76,7 +76,7 @@ class Advancement {
   void cover_along_normal(const Pair<D>& pair, const Placed<D>& a, const Placed<D>& b, double back,
                           double forward, Cover& cover);
   void start();
-  bool split(const Interval& way, Interval& before, Interval& after);
+  bool split(const Interval& way, bool any, Interval& before, Interval& after);
   std::optional<double> march(const Interval& way);
 
   int looks_ = 0;

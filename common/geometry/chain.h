@@ -6,6 +6,7 @@
 // are merged away. Immutable; const members may be called concurrently.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -70,7 +71,10 @@ class Chain {
   // Throws std::invalid_argument, naming the robot and the body, where the model does not fit the
   // dimension.
   Chain(const Robot& robot, MeshCache& meshes);
+  Chain(Chain&&) = default;
 
+  // No other chain's, ever: a name that outlives the chain.
+  std::uint64_t id() const { return id_; }
   std::span<const ChainLink<D>> links() const { return links_; }
   std::span<const ChainPiece<D>> pieces() const { return pieces_; }
   std::span<const SelfPair> self_pairs() const { return self_pairs_; }  // by ancestor
@@ -101,6 +105,7 @@ class Chain {
   void find_self_pairs(const RobotModel& model);
   void find_reach(const RobotModel& model);
 
+  std::uint64_t id_;
   RobotKind kind_;
   double radius_ = -1;
   std::vector<ChainLink<D>> links_;  // parents before children

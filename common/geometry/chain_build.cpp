@@ -1,4 +1,5 @@
 // Compiles a robot's model into a chain.
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,11 @@ namespace {
 
 [[noreturn]] void reject(const Robot& robot, const std::string& what) {
   throw std::invalid_argument("robot \"" + robot.name + "\": " + what);
+}
+
+std::uint64_t next_chain_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
 }
 
 // What a joint needs of the world at q = 0: its anchor and its axis.
@@ -107,7 +113,8 @@ void set_motion(const Robot& robot, const Joint& joint, const Vec3& axis, const 
 }  // namespace
 
 template <int D>
-Chain<D>::Chain(const Robot& robot, MeshCache& meshes) : kind_(robot.model->kind) {
+Chain<D>::Chain(const Robot& robot, MeshCache& meshes)
+    : id_(next_chain_id()), kind_(robot.model->kind) {
   const bool planar_kind = kind_ == RobotKind::kDisk || kind_ == RobotKind::kFootprint;
   if (mobile() && planar_kind != (D == 2)) {
     reject(robot, D == 2 ? "a ball needs a spatial scene" : "its model needs a planar scene");

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/geometry/capsules.h"
 #include "common/geometry/convex_decomposition.h"
 #include "common/geometry/mesh_surface.h"
 #include "common/geometry/planar_cut.h"
@@ -99,6 +100,7 @@ Piece<3> spatial_piece(const Capsule& capsule, const Pose& pose, MeshCache& mesh
   Piece<3> piece;
   piece.core = Core::kSegment;
   piece.radius = capsule.radius;
+  piece.capsules = segment_capsules(capsule.length / 2);
   piece.half.x() = capsule.length / 2;
   piece.bound = piece.half.x();
   piece.frame = frame_of(pose);
@@ -109,6 +111,7 @@ Piece<3> spatial_piece(const Cylinder& cylinder, const Pose& pose, MeshCache&) {
   Piece<3> piece;
   piece.core = Core::kCylinder;
   piece.half = {cylinder.length / 2, cylinder.radius, 0};
+  piece.capsules = cylinder_capsules(cylinder.length / 2, cylinder.radius);
   piece.bound = piece.half.norm();
   piece.frame = frame_of(pose);
   return piece;
@@ -118,6 +121,7 @@ Piece<3> spatial_piece(const Box& box, const Pose& pose, MeshCache&) {
   Piece<3> piece;
   piece.core = Core::kBox;
   piece.half = box.size / 2;
+  piece.capsules = box_capsules(piece.half, true);
   piece.bound = piece.half.norm();
   piece.frame = frame_of(pose);
   return piece;
@@ -135,6 +139,7 @@ Piece<3> spatial_piece(const Mesh& mesh, const Pose& pose, MeshCache& meshes) {
   if (!surface) surface = std::make_shared<const MeshSurface>(*mesh.surface);
   piece.mesh = surface;
   piece.half = piece.mesh->half_extents();
+  piece.capsules = box_capsules(piece.half, false);
   piece.bound = piece.mesh->bound();
   piece.frame = frame_of(pose * Eigen::Translation3d(piece.mesh->center()));
   return piece;

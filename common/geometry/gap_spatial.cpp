@@ -94,8 +94,11 @@ V first_direction(const Placed<3>& a, const Placed<3>& b, const V& hint) {
 }
 
 Result convex(const Placed<3>& a, const Placed<3>& b, const Wanted& wanted, const V& hint) {
-  return gjk(CoreSupport(a, a.frame.t), CoreSupport(b, a.frame.t), wanted,
-             first_direction(a, b, hint));
+  const V first = first_direction(a, b, hint);
+  return with_support(a, a.frame.t, [&](const auto& of_a) {
+    return with_support(b, a.frame.t,
+                        [&](const auto& of_b) { return gjk(of_a, of_b, wanted, first); });
+  });
 }
 
 double hull_radius(const Placed<3>& placed) {

@@ -116,8 +116,10 @@ void MeshSurface::Tree::search(int i, const Placed<3>& core, const Bv& core_box,
   const Node& n = node(i);
   if (n.isLeaf()) {
     const int primitive = n.primitiveId();
-    search.take(gjk(triangle(primitive), CoreSupport(core, Vec3::Zero()), search.wanted,
-                    search.hint(core.frame.t - middle(primitive))));
+    const Vec3 hint = search.hint(core.frame.t - middle(primitive));
+    search.take(with_support(core, Vec3::Zero(), [&](const auto& support) {
+      return gjk(triangle(primitive), support, search.wanted, hint);
+    }));
     return;
   }
   const int left = n.leftChild();

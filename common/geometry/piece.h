@@ -24,6 +24,16 @@ enum class Core : unsigned char {
 
 inline constexpr int kMaxVertices = 8;
 
+// Two capsules about an axis of the frame, centred, one round the core and one within; by their
+// segments' half lengths and radii. A radius below 0: there is none.
+struct CoreCapsules {
+  int axis = 2;
+  double outer_half = 0;
+  double outer_radius = -1;
+  double inner_half = 0;
+  double inner_radius = -1;
+};
+
 template <int D>
 struct Piece {
   Core core = Core::kPoint;
@@ -34,6 +44,7 @@ struct Piece {
   std::array<Vec<2>, kMaxVertices> vertices{};  // kPolygon; in the piece's frame
   int vertex_count = 0;
   std::shared_ptr<const MeshSurface> mesh;  // kMesh; in the piece's frame
+  CoreCapsules capsules;                    // spatial: of cores that are not points
 };
 
 // A piece where it is at an instant. Valid as long as the piece is.

@@ -1,6 +1,6 @@
 #include "common/geometry/traveller.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace accord {
 
@@ -10,7 +10,12 @@ void Traveller<D>::start(const Chain<D>& chain, ConfigurationView from, Configur
   from_ = from.data();
   to_ = to.data();
   drift_ = chain.drift(from_, to_);
+  if (chain_id_ != chain.id()) {
+    chain_id_ = chain.id();
+    placed_for_ = false;
+  }
   q_.resize(from.size());
+  next_q_.resize(from.size());
   delta_.resize(from.size());
   resting_ = true;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -30,6 +35,11 @@ void Traveller<D>::start(const Chain<D>& chain, ConfigurationView from, Configur
     paces_.resize(pieces);
   }
   u_ = -1;
+  twisted_ = false;
+  if (resting_) {
+    std::fill_n(paces_.begin(), pieces, Pace{});
+    return;
+  }
   chain.swings(from_, to_, -1, swings_.data());
   for (std::size_t i = 0; i < pieces; ++i) {
     const ChainPiece<D>& piece = chain.pieces()[i];
@@ -42,11 +52,14 @@ void Traveller<D>::move_to(double u) {
   if (resting_) u = 0;
   if (u == u_) return;
   u_ = u;
-  ++stamp_;
   twisted_ = false;
   for (std::size_t i = 0; i < q_.size(); ++i) {
-    q_[i] = u == 1 ? to_[i] : from_[i] + u * delta_[i];
+    next_q_[i] = u == 1 ? to_[i] : from_[i] + u * delta_[i];
   }
+  if (placed_for_ && next_q_ == q_) return;  // where the last query left it
+  q_.swap(next_q_);
+  placed_for_ = true;
+  ++stamp_;
   chain_->place(q_.data(), frames_.data());
 }
 

@@ -1,6 +1,7 @@
 // One robot on a linear motion: where its links and pieces are at an instant, and how they move.
 // The way of the motion is a number u in [0, 1]. Everything is computed when first asked for, in
-// memory that is kept for the next motion. One thread at a time.
+// memory that is kept for the next motion, and frames too where that begins at the same place. One
+// thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,7 @@ class Traveller {
 
  private:
   const Chain<D>* chain_ = nullptr;
+  std::uint64_t chain_id_ = 0;  // of the chain that the frames are of
   const double* from_ = nullptr;
   const double* to_ = nullptr;
   Vec<D> drift_ = Vec<D>::Zero();
@@ -39,7 +41,9 @@ class Traveller {
   bool resting_ = false;
   std::uint32_t stamp_ = 0;
   bool twisted_ = false;
+  bool placed_for_ = false;  // frames_ are of q_
   std::vector<double> q_;
+  std::vector<double> next_q_;
   std::vector<double> delta_;
   std::vector<Frame<D>> frames_;
   std::vector<Placed<D>> placed_;

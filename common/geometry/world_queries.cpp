@@ -118,6 +118,9 @@ std::optional<double> WorldCore<D>::first_contact(RobotId a, ConfigurationView f
   add_robot_pairs(work);
   if (work.pairs.empty()) return std::nullopt;
   if (swallowed(work)) return 0.0;
+  if (work.first.resting() && work.second.resting()) {  // the first pair in contact will do
+    return work.proves_free() ? std::nullopt : std::optional(0.0);
+  }
   return work.first_contact();
 }
 
