@@ -43,7 +43,7 @@ class CompositeRoadmap {
     if (add_ends()) grow(resolution, stop);
     resolution.effort.samples = roadmap_.size();
     resolution.effort.motion_checks += motion_checks_ + roadmap_.motion_checks();
-    if (resolution.solved) uncouple(world, subproblem_, resolution);
+    if (resolution.solved) uncouple(world, subproblem_, resolution, stop);
     return resolution;
   }
 
@@ -73,26 +73,30 @@ class CompositeRoadmap {
     Configuration q(team_.dof());
     while (!stop) {
       if (evolution_.connected(kStart, kGoal) && roadmap_.size() >= search_at) {
-        if (search(resolution)) return;
+        if (search(resolution, stop)) return;
         search_at = roadmap_.size() + roadmap_.size() / 4 + 8;
       }
       if (roadmap_.size() >= limit || (!subproblem_.whole && evolution_.has_settled())) return;
-      if (!sample(q)) return;
+      if (!sample(q, stop)) return;
       insert(q);
     }
   }
 
-  bool search(Resolution& resolution) {
+  bool search(Resolution& resolution, const std::atomic<bool>& stop) {
     double hold = subproblem_.from;
     for (const Task& task : subproblem_.tasks) {
       hold = std::max(hold, hold_until(subproblem_, task));
     }
-    const SearchRequest request{kStart, kGoal, subproblem_.from, hold,
-                                subproblem_.limits.query_expansions};
+    const SearchRequest request{kStart,
+                                kGoal,
+                                subproblem_.from,
+                                hold,
+                                subproblem_.limits.query_expansions,
+                                subproblem_.limits.query_checks};
     ++resolution.effort.searches;
-    auto found = safe_interval_search(team_, roadmap_, request, resolution.effort.expansions);
+    auto found = safe_interval_search(team_, roadmap_, request, stop, resolution.effort.expansions);
     if (!found) return false;
-    shorten(team_, request, *found, resolution.effort);
+    shorten(team_, request, *found, stop, resolution.effort);
     resolution.solved = true;
     resolution.end = found->end_time();
     resolution.paths.clear();
@@ -109,9 +113,9 @@ class CompositeRoadmap {
   }
 
   // A free composite configuration.
-  bool sample(Configuration& q) {
-    for (std::size_t tries = 0; tries < kTriesPerNode * subproblem_.limits.composite_nodes;
-         ++tries) {
+  bool sample(Configuration& q, const std::atomic<bool>& stop) {
+    const std::size_t most = kTriesPerNode * subproblem_.limits.composite_nodes;
+    for (std::size_t tries = 0; tries < most && !stop; ++tries) {
       std::size_t offset = 0;
       for (std::size_t i = 0; i < team_.size(); ++i) {
         const Task& task = subproblem_.tasks[i];

@@ -23,6 +23,19 @@ void interpolate(ConfigurationView a, ConfigurationView b, double s, Configurati
   for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + s * (b[k] - a[k]);
 }
 
+// The k for which |offset + k step|^2 <= squared. nullopt: none.
+std::optional<Interval> span_within(const Vec3& offset, const Vec3& step, double squared) {
+  const double a = step.squaredNorm(), b = offset.dot(step), c = offset.squaredNorm() - squared;
+  if (a == 0) {
+    if (c > 0) return std::nullopt;
+    return Interval{-kInfinity, kInfinity};
+  }
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0) return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  return Interval{(-b - root) / a, (-b + root) / a};
+}
+
 // The complement of `unsafe` from `from` on. Sorts its input.
 void complement(std::vector<Interval>& unsafe, double from, std::vector<Interval>& out) {
   out.clear();
@@ -135,6 +148,7 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
       while (clear < end) {
         const double s = (clear - piece.t0) / (piece.t1 - piece.t0);
         interpolate(piece.from, piece.to, s, other_from_);
+        ++checks_;
         if (world_.are_clear(robot_, q, piece.robot, other_from_)) break;
         clear = std::min(clear + probe, end);
       }
@@ -158,42 +172,61 @@ std::optional<double> MovingObstacles::contact(const Piece& piece, Configuration
     interpolate(piece.from, piece.to, (lo - piece.t0) / length, other_from_);
     interpolate(piece.from, piece.to, (hi - piece.t0) / length, other_to_);
   }
+  ++checks_;
   return world_.first_contact(robot_, {mine_from_, mine_to_, lo, hi}, piece.robot,
                               {other_from_, other_to_, lo, hi});
 }
 
-// For a departure t in conflict: the end of the unsafe departures around t with respect to the
-// first piece that it runs into; t itself when the motion is clear of all points. The squared
-// distance is convex in (time, departure) jointly, so the unsafe departures of one piece form an
-// interval, and its end is found by bisection.
+// The earliest departure from t on that is clear of the first piece that departing at t runs into;
+// t itself when that is clear of all points.
 double MovingObstacles::point_next_departure(const Vec3& a, const Vec3& velocity, double duration,
                                              double t) const {
-  const auto hits = [&](const PointPiece& piece, double departure) {
-    const double lo = std::max(departure, piece.t0);
-    const double hi = std::min(departure + duration, piece.t1);
-    if (lo >= hi) return false;
-    const Vec3 offset =
-        piece.position + (lo - piece.t0) * piece.velocity - a - (lo - departure) * velocity;
-    return first_within(offset, (hi - lo) * (piece.velocity - velocity), piece.distance)
-        .has_value();
-  };
   for (const PointPiece& piece : points_) {
-    if (!hits(piece, t)) continue;
-    double unsafe = t, safe = piece.t1;
-    if (std::isinf(safe)) {
-      // A parked robot: either the motion meets it whenever it starts, or only its beginning does
-      // while the piece before is still on; departures after t0 all look the same.
-      if (t >= piece.t0 || hits(piece, piece.t0)) return kInfinity;
-      safe = piece.t0;
-    }
-    constexpr double kBisection = 1e-6;  // s
-    while (safe - unsafe > kBisection) {
-      const double middle = 0.5 * (unsafe + safe);
-      (hits(piece, middle) ? unsafe : safe) = middle;
-    }
-    return safe + kSlack;
+    const double lo = std::max(t, piece.t0);
+    const double hi = std::min(t + duration, piece.t1);
+    if (lo >= hi) continue;
+    const Vec3 offset = piece.position + (lo - piece.t0) * piece.velocity - a - (lo - t) * velocity;
+    if (!first_within(offset, (hi - lo) * (piece.velocity - velocity), piece.distance)) continue;
+    // Whoever is parked in the way now will be so whenever the motion starts.
+    if (std::isinf(piece.t1)) return kInfinity;
+    return std::max(t, last_unsafe_departure(piece, a, velocity, duration)) + kSlack;
   }
   return t;
+}
+
+// The robot that departs at s is at a + u velocity at s + u. Where it touches the piece is a convex
+// set of (s, u), cut out of |offset + s w + u c| <= distance (w: the piece's velocity, c: the
+// relative one) by 0 <= u <= duration and t0 <= s + u <= t1. Its largest s lies on one of the four
+// edges or where the line of constant s is a tangent.
+double MovingObstacles::last_unsafe_departure(const PointPiece& piece, const Vec3& a,
+                                              const Vec3& velocity, double duration) {
+  const Vec3 offset = piece.position - a;  // at s = u = 0, times counted from t0
+  const Vec3& w = piece.velocity;
+  const Vec3 c = w - velocity;
+  const double length = piece.t1 - piece.t0;
+  double last = -kInfinity;
+  // On an edge, (s, u) = (s0 + s1 k, u0 + u1 k) for k in [lo, hi].
+  const auto along_edge = [&](double s0, double s1, double u0, double u1, double lo, double hi) {
+    if (lo > hi) return;
+    const auto span = span_within(offset + s0 * w + u0 * c, s1 * w + u1 * c, piece.squared);
+    if (!span) return;
+    const double first_k = std::max(lo, span->lo), last_k = std::min(hi, span->hi);
+    if (first_k <= last_k) last = std::max({last, s0 + s1 * first_k, s0 + s1 * last_k});
+  };
+  along_edge(0, 1, 0, 0, 0, length);                            // u = 0
+  along_edge(0, 1, duration, 0, -duration, length - duration);  // u = duration
+  along_edge(0, -1, 0, 1, 0, duration);                         // s + u = t0
+  along_edge(length, -1, 0, 1, 0, duration);                    // s + u = t1
+  const double speed = c.squaredNorm();
+  if (speed > 0) {
+    const Vec3 across = offset - (offset.dot(c) / speed) * c;
+    const auto span = span_within(across, w - (w.dot(c) / speed) * c, piece.squared);
+    if (span && std::isfinite(span->hi)) {
+      const double s = span->hi, u = -(offset + s * w).dot(c) / speed;
+      if (u >= 0 && u <= duration && s + u >= 0 && s + u <= length) last = std::max(last, s);
+    }
+  }
+  return piece.t0 + last;
 }
 
 bool MovingObstacles::pieces_clear(ConfigurationView a, ConfigurationView b, double t,

@@ -5,6 +5,7 @@
 // Not thread safe (holds scratch); one per thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,9 @@ class MovingObstacles {
   // Whether the linear motion from a at t to b at t + duration is free.
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
 
+  // Geometric queries made so far; none for discs and balls among themselves.
+  std::uint64_t checks() const { return checks_; }
+
  private:
   // A point robot on a linear motion; `distance` is what centres must keep.
   struct PointPiece {
@@ -67,6 +71,8 @@ class MovingObstacles {
   void point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const;
   void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
   double point_next_departure(const Vec3& a, const Vec3& velocity, double duration, double t) const;
+  static double last_unsafe_departure(const PointPiece& piece, const Vec3& a, const Vec3& velocity,
+                                      double duration);
   bool pieces_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
   // First contact of a motion over [t0, t1] with a piece, within the time both share.
   std::optional<double> contact(const Piece& piece, ConfigurationView a, ConfigurationView b,
@@ -77,6 +83,7 @@ class MovingObstacles {
   double from_;
   std::vector<PointPiece> points_;
   std::vector<Piece> pieces_;
+  std::uint64_t checks_ = 0;
   std::vector<Interval> unsafe_;                               // scratch
   Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
 };

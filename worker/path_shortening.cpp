@@ -32,7 +32,9 @@ std::vector<Configuration> places_of(const Team& team, const Trajectory& path) {
 
 }  // namespace
 
-void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort& effort) {
+void shorten(Team& team, const SearchRequest& request, Trajectory& path,
+             const std::atomic<bool>& stop, Effort& effort) {
+  if (stop) return;
   if (path.size() > 3) {
     cut_corners(team, request.hold_until, combine({path.size(), team.size()}), path, effort);
   }
@@ -51,7 +53,7 @@ void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort&
     again.start = 0;
     again.goal = 1;
     ++effort.searches;
-    auto found = safe_interval_search(team, roadmap, again, effort.expansions);
+    auto found = safe_interval_search(team, roadmap, again, stop, effort.expansions);
     effort.motion_checks += roadmap.motion_checks();
     if (!found || found->end_time() >= path.end_time() - 1e-6) return;
     path = std::move(*found);

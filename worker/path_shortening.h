@@ -8,8 +8,9 @@
 
 namespace accord {
 
-// Replaces `path` where the new search arrives earlier. Never makes it worse. The request is the
-// one that the path answers; only its times are used.
-void shorten(Team& team, const SearchRequest& request, Trajectory& path, Effort& effort);
+// Replaces `path` where the new search arrives earlier. Never makes it worse; leaves it at `stop`.
+// The request is the one that the path answers; only its times are used.
+void shorten(Team& team, const SearchRequest& request, Trajectory& path,
+             const std::atomic<bool>& stop, Effort& effort);
 
 }  // namespace accord

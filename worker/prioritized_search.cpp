@@ -33,7 +33,7 @@ class PrioritizedSearch {
   // The place in the order of the robot that the last failed attempt had no way for.
   std::size_t stuck() const { return stuck_; }
 
-  bool plan(const Order& order, Resolution& out) {
+  bool plan(const Order& order, const std::atomic<bool>& stop, Resolution& out) {
     out.paths.assign(subproblem_.tasks.size(), Trajectory());
     out.end = subproblem_.from;
     clean_ = true;
@@ -45,17 +45,20 @@ class PrioritizedSearch {
       for (std::size_t before = 0; before < rank; ++before) {
         team.avoid(subproblem_.tasks[order[before]].robot, onwards[before]);
       }
-      const SearchRequest request{DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal,
-                                  subproblem_.from, hold_until(subproblem_, task),
-                                  subproblem_.limits.query_expansions};
+      const SearchRequest request{DecoupledRoadmaps::kStart,
+                                  DecoupledRoadmaps::kGoal,
+                                  subproblem_.from,
+                                  hold_until(subproblem_, task),
+                                  subproblem_.limits.query_expansions,
+                                  subproblem_.limits.query_checks};
       ++out.effort.searches;
-      auto found =
-          safe_interval_search(team, roadmaps_.of(order[rank]), request, out.effort.expansions);
+      auto found = safe_interval_search(team, roadmaps_.of(order[rank]), request, stop,
+                                        out.effort.expansions);
       if (!found) {
         stuck_ = rank;
         return false;
       }
-      shorten(team, request, *found, out.effort);
+      shorten(team, request, *found, stop, out.effort);
       out.end = std::max(out.end, found->end_time());
       onwards[rank] = with_tail(world_, subproblem_, task, *found);
       for (std::size_t before = 0; before < rank && clean_; ++before) {
@@ -84,12 +87,13 @@ double sum_of_arrivals(const Resolution& resolution) {
 }
 
 // Every order of two robots: which goes first often matters more than anything else.
-Resolution best_of_all_orders(PrioritizedSearch& search, Order order, Effort& effort) {
+Resolution best_of_all_orders(PrioritizedSearch& search, Order order, const std::atomic<bool>& stop,
+                              Effort& effort) {
   Resolution best;
   bool best_is_clean = false;
   do {
     Resolution found;
-    const bool solved = search.plan(order, found);
+    const bool solved = search.plan(order, stop, found);
     effort += found.effort;
     if (!solved || (best_is_clean && !search.clean())) continue;
     if (!best.solved || search.clean() > best_is_clean ||
@@ -112,7 +116,7 @@ Resolution first_order_that_works(PrioritizedSearch& search, Order order,
   while (tried.size() < most && !stop) {
     tried.insert(order);
     Resolution found;
-    const bool solved = search.plan(order, found);
+    const bool solved = search.plan(order, stop, found);
     effort += found.effort;
     if (solved) return found;
     const auto begin = order.begin();
@@ -135,7 +139,7 @@ Resolution prioritized_search(const CollisionWorld& world, const Subproblem& sub
   const std::size_t robots = subproblem.tasks.size();
   PrioritizedSearch search(world, subproblem, roadmaps);
   Effort effort;
-  Resolution best = robots <= 2 ? best_of_all_orders(search, in_given_order(robots), effort)
+  Resolution best = robots <= 2 ? best_of_all_orders(search, in_given_order(robots), stop, effort)
                                 : first_order_that_works(search, in_given_order(robots), subproblem,
                                                          stop, effort);
   best.effort = effort;

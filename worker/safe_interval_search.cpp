@@ -36,17 +36,20 @@ struct Open {
 
 class Search {
  public:
-  Search(Team& team, LocalRoadmap& roadmap, const SearchRequest& request)
+  Search(Team& team, LocalRoadmap& roadmap, const SearchRequest& request,
+         const std::atomic<bool>& stop)
       : team_(team),
         roadmap_(roadmap),
         request_(request),
+        stop_(stop),
+        checks_end_(team.checks() + request.checks),
         first_(roadmap.size(), kNone),
         count_(roadmap.size(), 0),
         bounds_(roadmap.size(), -1) {}
 
   std::optional<Trajectory> run(std::uint64_t& expanded) {
     open_start();
-    for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty();) {
+    for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty() && !is_spent();) {
       const std::uint32_t id = open_.top().state;
       open_.pop();
       if (states_[id].closed) continue;
@@ -97,8 +100,11 @@ class Search {
     return bounds_[node];
   }
 
+  bool is_spent() const { return stop_ || team_.checks() > checks_end_; }
+
   void expand(std::uint32_t id) {
     for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
+      if (is_spent()) return;
       load_states(edge.to);
       for (std::uint32_t i = 0; i < count_[edge.to]; ++i) relax(id, edge, first_[edge.to] + i);
     }
@@ -151,6 +157,8 @@ class Search {
   Team& team_;
   LocalRoadmap& roadmap_;
   const SearchRequest& request_;
+  const std::atomic<bool>& stop_;
+  std::uint64_t checks_end_;
   std::vector<std::uint32_t> first_;  // a node's first state
   std::vector<std::uint32_t> count_;  // a node's number of states
   std::vector<double> bounds_;        // a node's least time to the goal; -1: not known yet
@@ -164,8 +172,9 @@ class Search {
 
 std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
                                                const SearchRequest& request,
+                                               const std::atomic<bool>& stop,
                                                std::uint64_t& expanded) {
-  return Search(team, roadmap, request).run(expanded);
+  return Search(team, roadmap, request, stop).run(expanded);
 }
 
 }  // namespace accord

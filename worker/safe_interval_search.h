@@ -3,6 +3,7 @@
 // Optimal on the roadmap where departures are found exactly (see MovingObstacles).
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -18,13 +19,15 @@ struct SearchRequest {
   double from;             // s: at the start
   double hold_until;       // s: the goal must stay free until then (or the arrival, if later)
   std::size_t expansions;  // gives up after so many
+  std::uint64_t checks;    // and after so many geometric queries against moving bodies
 };
 
 // The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such
-// path, or the expansions ran out. Proves edges as it needs them. `expanded` is increased by the
-// states expanded.
+// path, a budget ran out, or `stop` became true. Proves edges as it needs them. `expanded` is
+// increased by the states expanded.
 std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
                                                const SearchRequest& request,
+                                               const std::atomic<bool>& stop,
                                                std::uint64_t& expanded);
 
 }  // namespace accord

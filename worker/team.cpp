@@ -115,6 +115,12 @@ bool Team::motion_is_clear(ConfigurationView a, ConfigurationView b, double t, d
   return true;
 }
 
+std::uint64_t Team::checks() const {
+  std::uint64_t sum = 0;
+  for (const MovingObstacles& obstacles : obstacles_) sum += obstacles.checks();
+  return sum;
+}
+
 std::optional<double> Team::earliest_departure(ConfigurationView a, ConfigurationView b,
                                                double duration, double lo, double hi) {
   double t = lo;

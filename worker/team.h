@@ -52,6 +52,7 @@ class Team {
   std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
                                            double duration, double lo, double hi);
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
+  std::uint64_t checks() const;
 
  private:
   const CollisionWorld& world_;

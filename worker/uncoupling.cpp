@@ -30,7 +30,8 @@ bool is_clear_of_team(const CollisionWorld& world, const Subproblem& subproblem,
 
 }  // namespace
 
-void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolution& resolution) {
+void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolution& resolution,
+              const std::atomic<bool>& stop) {
   for (std::size_t i = 0; i < resolution.paths.size(); ++i) {
     const Task& task = subproblem.tasks[i];
     Team team(world, {task.robot}, subproblem.from);
@@ -40,10 +41,14 @@ void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolut
       team.avoid(subproblem.tasks[j].robot,
                  with_tail(world, subproblem, subproblem.tasks[j], resolution.paths[j]));
     }
-    const SearchRequest request{0, 1, subproblem.from, hold_until(subproblem, task),
-                                subproblem.limits.query_expansions};
+    const SearchRequest request{0,
+                                1,
+                                subproblem.from,
+                                hold_until(subproblem, task),
+                                subproblem.limits.query_expansions,
+                                subproblem.limits.query_checks};
     Trajectory path = resolution.paths[i].tidied();
-    shorten(team, request, path, resolution.effort);
+    shorten(team, request, path, stop, resolution.effort);
     if (is_clear_of_team(world, subproblem, resolution, i, path)) {
       resolution.paths[i] = std::move(path);
     }

@@ -2,6 +2,8 @@
 // robots depart and arrive together, so that everyone is as slow as the slowest.
 #pragma once
 
+#include <atomic>
+
 #include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
 
@@ -9,6 +11,7 @@ namespace accord {
 
 // Plans each robot's local path again along its own places, the others' paths standing, and keeps
 // what arrives earlier. The resolution stays free throughout. Requires: resolution.solved.
-void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolution& resolution);
+void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolution& resolution,
+              const std::atomic<bool>& stop);
 
 }  // namespace accord

@@ -40,6 +40,7 @@ struct Outsider {
 // What bounds a solution attempt. Counts, never time: budgets must not depend on the machine.
 struct SolverLimits {
   std::size_t query_expansions = 4000;        // states expanded by one safe-interval search
+  std::size_t query_checks = 20000;           // geometric queries against moving bodies in one
   std::size_t priority_orders = 6;            // orders tried by prioritized planning
   std::size_t decoupled_samples = 96;         // free samples a robot adds at most
   std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most

@@ -9,6 +9,7 @@ namespace accord {
 namespace {
 
 constexpr RobotId kMe{0}, kOther{1};
+constexpr std::uint64_t kChecks = 1000;
 
 // A corridor along x with a side pocket at x = 0; another disc comes the other way.
 class SafeIntervalSearch : public ::testing::Test {
@@ -34,7 +35,8 @@ class SafeIntervalSearch : public ::testing::Test {
 
   std::optional<Trajectory> search() {
     std::uint64_t expanded = 0;
-    return safe_interval_search(team_, roadmap_, {start_, goal_, 0, 0, 1000}, expanded);
+    return safe_interval_search(team_, roadmap_, {start_, goal_, 0, 0, 1000, kChecks}, stop_,
+                                expanded);
   }
 
   std::shared_ptr<const Scene> scene_;
@@ -42,6 +44,7 @@ class SafeIntervalSearch : public ::testing::Test {
   Team team_;
   LocalRoadmap roadmap_;
   LocalRoadmap::Node start_ = 0, goal_ = 0;
+  std::atomic<bool> stop_{false};
 };
 
 TEST_F(SafeIntervalSearch, TakesTheShortestWayWhenNothingMoves) {
@@ -64,10 +67,16 @@ TEST_F(SafeIntervalSearch, FindsNothingWhenTheOtherNeverLetsItIn) {
   EXPECT_FALSE(search());  // the start itself is run over at the end
 }
 
+TEST_F(SafeIntervalSearch, EndsWithoutAWayWhenStopped) {
+  stop_ = true;
+  EXPECT_FALSE(search());
+}
+
 TEST_F(SafeIntervalSearch, WaitsForAGoalThatIsStillToBeCrossed) {
   team_.avoid(kOther, testing::path({{0, {9, 0}}, {30, {9, 0}}, {36, {3, 0}}, {42, {9, 0}}}));
   std::uint64_t expanded = 0;
-  const auto found = safe_interval_search(team_, roadmap_, {start_, goal_, 0, 38, 1000}, expanded);
+  const auto found =
+      safe_interval_search(team_, roadmap_, {start_, goal_, 0, 38, 1000, kChecks}, stop_, expanded);
   ASSERT_TRUE(found);
   EXPECT_GT(found->end_time(), 38);  // the goal has to be free from 38 s on
 }
