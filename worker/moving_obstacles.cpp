@@ -229,15 +229,16 @@ double MovingObstacles::last_unsafe_departure(const PointPiece& piece, const Vec
   return piece.t0 + last;
 }
 
-bool MovingObstacles::pieces_clear(ConfigurationView a, ConfigurationView b, double t,
-                                   double duration) {
-  if (pieces_.empty()) return true;
+MovingObstacles::Passage MovingObstacles::past_pieces(ConfigurationView a, ConfigurationView b,
+                                                      double t, double duration) {
+  if (pieces_.empty()) return Passage::kClear;
   const Aabb bounds = world_.swept_bounds(robot_, a, b);
   for (const Piece& piece : pieces_) {
     if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
-    if (contact(piece, a, b, t, t + duration)) return false;
+    if (!contact(piece, a, b, t, t + duration)) continue;
+    return std::isinf(piece.t1) ? Passage::kBlockedForGood : Passage::kBlocked;
   }
-  return true;
+  return Passage::kClear;
 }
 
 bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, double t,
@@ -247,7 +248,7 @@ bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, 
     const Vec3 velocity = (to_point(b) - from) / duration;
     if (point_next_departure(from, velocity, duration, t) > t) return false;
   }
-  return pieces_clear(a, b, t, duration);
+  return past_pieces(a, b, t, duration) == Passage::kClear;
 }
 
 std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, ConfigurationView b,
@@ -260,13 +261,15 @@ std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, C
   while (t <= hi) {
     if (points) {
       const double next = point_next_departure(from, velocity, duration, t);
+      if (std::isinf(next)) break;
       if (next > t) {
         t = next;
         continue;
       }
     }
-    if (pieces_clear(a, b, t, duration)) return t;
-    if (t == hi) break;
+    const Passage passage = past_pieces(a, b, t, duration);
+    if (passage == Passage::kClear) return t;
+    if (passage == Passage::kBlockedForGood || t == hi) break;
     t = std::min(t + step, hi);
     step *= 1.5;
   }

@@ -73,7 +73,9 @@ class MovingObstacles {
   double point_next_departure(const Vec3& a, const Vec3& velocity, double duration, double t) const;
   static double last_unsafe_departure(const PointPiece& piece, const Vec3& a, const Vec3& velocity,
                                       double duration);
-  bool pieces_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
+  // A motion into a robot that has parked stays blocked however late it departs.
+  enum class Passage { kClear, kBlocked, kBlockedForGood };
+  Passage past_pieces(ConfigurationView a, ConfigurationView b, double t, double duration);
   // First contact of a motion over [t0, t1] with a piece, within the time both share.
   std::optional<double> contact(const Piece& piece, ConfigurationView a, ConfigurationView b,
                                 double t0, double t1);

@@ -75,6 +75,20 @@ TEST_P(EarliestDeparture, IsAtOnceWhenTheWayIsClearAndLaterWhenItIsNot) {
   EXPECT_FALSE(obstacles.earliest_departure(at(0, -5), at(0, 5), 10, 0, 0.5));
 }
 
+// However late: once, the search for a departure went on until the times were too large to tell a
+// departure from its arrival, and found that one clear.
+TEST_P(EarliestDeparture, NeverComesWhenAnotherRobotParksInTheWay) {
+  const auto scene = testing::SceneBuilder(-20, -20, 20, 20)
+                         .robot(model(), at(0, -5), at(0, 5))
+                         .robot(model(), at(-5, 0), at(0, 0))
+                         .build();
+  const CollisionWorld world(scene, kPlanningMargin);
+  MovingObstacles obstacles(world, kMe, 0);
+  obstacles.add(kOther, testing::path({{0, at(-5, 0)}, {5, at(0, 0)}}), kForever);
+  EXPECT_FALSE(obstacles.earliest_departure(at(0, -5), at(0, 5), 10, 0, kForever));
+  EXPECT_FALSE(obstacles.earliest_departure(at(0, -5), at(0, 5), 10, 20, kForever));
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, EarliestDeparture, ::testing::Values(true, false));
 
 TEST(MovingObstacles, EveryRestAndDepartureTheyAllowIsFreeOfConflicts) {
