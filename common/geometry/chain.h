@@ -71,7 +71,7 @@ class Chain {
   // Throws std::invalid_argument, naming the robot and the body, where the model does not fit the
   // dimension.
   Chain(const Robot& robot, MeshCache& meshes);
-  Chain(Chain&&) = default;
+  Chain(Chain&&) noexcept = default;
 
   // No other chain's, ever: a name that outlives the chain.
   std::uint64_t id() const { return id_; }

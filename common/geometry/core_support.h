@@ -55,7 +55,7 @@ class CylinderSupport {
       : t_(t), axis_(axis), half_(half), radius_(radius) {}
   Vec<3> operator()(const Vec<3>& d) const {
     const double along = axis_.dot(d);
-    const Vec<3> end = t_ + std::copysign(half_, along) * axis_;
+    Vec<3> end = t_ + std::copysign(half_, along) * axis_;
     Vec<3> across = d - along * axis_;
     double squared = across.squaredNorm();
     if (squared <= 1e-8 * along * along) {  // what is left may be all rounding: once more
