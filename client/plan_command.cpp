@@ -1,8 +1,11 @@
 // accord plan: from a scene to a proven plan.
 #include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -28,6 +31,7 @@ struct CommandOptions {
   double timeout = 0;  // s; 0: none
   bool json = false;
   bool quiet = false;
+  spdlog::level::level_enum log = spdlog::level::warn;
 };
 
 ExitCode exit_code_of(PlanStatus status) {
@@ -65,7 +69,15 @@ Verdict prove(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsig
   return verdict;
 }
 
+void log_to_stderr(spdlog::level::level_enum least) {
+  const auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
+  auto logger = std::make_shared<spdlog::logger>("accord", sink);
+  logger->set_level(least);
+  spdlog::set_default_logger(std::move(logger));
+}
+
 ExitCode run(const CommandOptions& options) {
+  log_to_stderr(options.log);
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
   const Plan plan = plan_with_progress(scene, options);
@@ -103,6 +115,15 @@ void add_options(CLI::App& command, CommandOptions& options) {
       ->check(CLI::IsMember(solver_names()));
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
+  const std::map<std::string, spdlog::level::level_enum> levels{{"debug", spdlog::level::debug},
+                                                                {"info", spdlog::level::info},
+                                                                {"warning", spdlog::level::warn},
+                                                                {"error", spdlog::level::err},
+                                                                {"off", spdlog::level::off}};
+  command
+      .add_option("--log", options.log,
+                  "Least level of what is logged to stderr; debug: a line for each subproblem")
+      ->transform(CLI::CheckedTransformer(levels));
 }
 
 }  // namespace

@@ -5,16 +5,13 @@
 #include <limits>
 #include <set>
 
+#include <spdlog/spdlog.h>
+
 #include "common/planning/conflict.h"
 
 namespace accord {
 namespace {
 
-// Times that a conflict of the same pair comes back before its robots are merged with those that
-// they keep getting in conflict with.
-constexpr unsigned kTradesToMerge = 2;
-// A team that cannot make it at its whole query grows by this many robots at a time.
-constexpr std::size_t kTakenInAtOnce = 2;
 // Commits a robot may be part of on average before the search is called off: rounds then only push
 // the same conflicts ahead of themselves.
 constexpr std::uint64_t kCommitsPerRobot = 400;
@@ -33,7 +30,8 @@ Arc::Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::u
       stop_(stop),
       progress_(std::move(progress)),
       factory_(planning, seed),
-      schedule_(std::make_shared<const Scene>(planning.scene())) {}
+      schedule_(std::make_shared<const Scene>(planning.scene())),
+      adaptation_(factory_, schedule_) {}
 
 ArcOutcome Arc::run() {
   const auto begin = std::chrono::steady_clock::now();
@@ -52,22 +50,31 @@ ArcOutcome Arc::run() {
     if (stop_) return stopped();
     for (const Job& job : jobs) {
       record(job);
+      log(job);
+      if (job.resolution.solved &&
+          adaptation_.prefers_crowd(job.conflict, job.subproblem, job.resolution, board)) {
+        continue;
+      }
       if (job.resolution.solved) {
         schedule_.commit(job.subproblem, job.resolution);
-        note_resolved(job);
+        adaptation_.note_resolved(job.conflict, job.subproblem);
         std::vector<RobotId> changed;
-        for (const Task& task : job.subproblem.tasks) changed.push_back(task.robot);
+        for (const Task& task : job.subproblem.tasks) {
+          if (schedule_.version(task.robot) != task.version) changed.push_back(task.robot);
+        }
         const std::size_t before = board.size();
         board.update(changed, job.subproblem.from);
         statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
         ++statistics_.conflicts_resolved;
-      } else if (!adapt(job, board)) {
+      } else if (!adaptation_.grow(job.conflict, job.subproblem, job.in_the_way, board)) {
         return infeasible(job);
       }
     }
     if (statistics_.conflicts_resolved > most_commits) return infeasible(jobs.front());
   }
   statistics_.pair_checks = board.pair_checks();
+  statistics_.windows_grown = adaptation_.windows_grown();
+  statistics_.robots_taken_in = adaptation_.robots_taken_in();
   statistics_.conflict_time = seconds_since(conflicts_begin);
   return {PlanStatus::kSolved, ""};
 }
@@ -116,7 +123,9 @@ std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
                         used.contains(conflict.first) || used.contains(conflict.second);
     waiting.insert({conflict.first, conflict.second});
     if (behind) continue;
-    Job job{conflict, factory_.create(conflict, growth_of(conflict), schedule_, board), {}, {}};
+    const Growth growth = adaptation_.growth_of(conflict, board);
+    if (std::ranges::any_of(growth.taken_in, [&](RobotId r) { return used.contains(r); })) continue;
+    Job job{conflict, factory_.create(conflict, growth, schedule_, board), {}, {}};
     const auto clashes = [&](const auto& entry) { return used.contains(entry.robot); };
     const auto is_member = [&](const auto& entry) { return members.contains(entry.robot); };
     if (std::ranges::any_of(job.subproblem.tasks, clashes) ||
@@ -131,36 +140,6 @@ std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
     jobs.push_back(std::move(job));
   }
   return jobs;
-}
-
-// How far a conflict's subproblem has been grown; where resolving it has only brought it back, with
-// all robots that the earlier resolutions tied to it. ("R' merges the involved robots")
-Growth Arc::growth_of(const Conflict& conflict) const {
-  const Pair pair{conflict.first, conflict.second};
-  const auto known = growth_.find(pair);
-  Growth growth = known == growth_.end() ? Growth{} : known->second;
-  const auto trade = trades_.find(pair);
-  if (trade == trades_.end() || trade->second.count < kTradesToMerge ||
-      conflict.time > trade->second.until) {
-    return growth;
-  }
-  for (const RobotId robot : {conflict.first, conflict.second}) {
-    for (const CouplingSegment& segment : schedule_.coupling(robot)) {
-      if (segment.to < trade->second.from || segment.from > trade->second.until) continue;
-      growth.taken_in.insert(segment.robots.begin(), segment.robots.end());
-    }
-  }
-  return growth;
-}
-
-void Arc::note_resolved(const Job& job) {
-  const Pair pair{job.conflict.first, job.conflict.second};
-  growth_.erase(pair);
-  Trade& trade = trades_[pair];
-  if (job.conflict.time > trade.until) trade = {};
-  ++trade.count;
-  trade.from = trade.count == 1 ? job.subproblem.from : std::min(trade.from, job.subproblem.from);
-  trade.until = std::max(trade.until, job.subproblem.horizon);
 }
 
 void Arc::solve(std::vector<Job>& jobs) {
@@ -198,7 +177,7 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto hit = earliest_contact(planning_, tasks[i].robot, resolution.paths[i],
                                         outsider.robot, outsider.path, job.subproblem.from,
-                                        std::min({first, resolution.end, job.subproblem.horizon}));
+                                        std::min({first, resolution.end, outsider.until}));
       if (hit) first = std::min(first, *hit);
     }
     if (first < std::numeric_limits<double>::infinity()) hits.emplace_back(first, outsider.robot);
@@ -209,55 +188,6 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
   return robots;
 }
 
-// Robots outside the team that are in conflict with one of it in the window: their paths have to
-// change in any case. Earliest first.
-std::vector<RobotId> Arc::entangled_with(const Job& job, const ConflictBoard& board) const {
-  std::set<RobotId> team;
-  for (const Task& task : job.subproblem.tasks) team.insert(task.robot);
-  std::vector<RobotId> robots;
-  for (const Conflict& conflict : board.conflicts()) {
-    if (conflict.time > job.subproblem.to) break;
-    const bool first = team.contains(conflict.first), second = team.contains(conflict.second);
-    if (first != second) robots.push_back(first ? conflict.second : conflict.first);
-  }
-  return robots;
-}
-
-// AdaptSubProblem: takes in robots that are entangled with the team, else doubles the window, now
-// and then takes in those that stand in the way. False when nothing is left to grow.
-bool Arc::adapt(const Job& job, const ConflictBoard& board) {
-  Growth& growth = growth_[{job.conflict.first, job.conflict.second}];
-  ++growth.attempts;
-  growth.shortsighted = !growth.shortsighted && !job.subproblem.outsiders.empty();
-  if (growth.shortsighted) return true;
-  const bool on_roadmaps = std::ranges::all_of(
-      job.subproblem.tasks, [&](const Task& task) { return factory_.uses_roadmap(task.robot); });
-  growth.to_the_end = !growth.to_the_end && on_roadmaps;
-  if (growth.to_the_end) {
-    growth.shortsighted = !job.subproblem.outsiders.empty();
-    return true;
-  }
-  std::vector<RobotId> candidates;
-  if (job.subproblem.whole || growth.window % 2 == 1) {
-    candidates = entangled_with(job, board);
-    candidates.insert(candidates.end(), job.in_the_way.begin(), job.in_the_way.end());
-  }
-  if (job.subproblem.whole) {
-    for (const Outsider& outsider : job.subproblem.outsiders) candidates.push_back(outsider.robot);
-  }
-  std::size_t taken = 0;
-  for (const RobotId robot : candidates) {
-    if (taken == kTakenInAtOnce) break;
-    if (growth.taken_in.insert(robot).second) ++taken;
-  }
-  statistics_.robots_taken_in += taken;
-  if (taken > 0) return true;
-  if (job.subproblem.whole) return false;
-  ++growth.window;
-  ++statistics_.windows_grown;
-  return true;
-}
-
 void Arc::record(const Job& job) {
   ++statistics_.subproblems;
   statistics_.effort += job.resolution.effort;
@@ -266,6 +196,22 @@ void Arc::record(const Job& job) {
   } else {
     ++statistics_.exhausted;
   }
+}
+
+void Arc::log(const Job& job) const {
+  if (!spdlog::should_log(spdlog::level::debug)) return;
+  std::string robots;
+  for (const Task& task : job.subproblem.tasks) {
+    robots += (robots.empty() ? "" : ", ") + planning_.scene().robot(task.robot).name;
+  }
+  const Effort& effort = job.resolution.effort;
+  spdlog::debug(
+      "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders, {}: {} "
+      "({} searches, {} expansions, {} samples)",
+      job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
+      job.subproblem.outsiders.size(), robots,
+      job.resolution.solved ? job.resolution.solver : "exhausted", effort.searches,
+      effort.expansions, effort.samples);
 }
 
 void Arc::report(Progress::Phase phase) {

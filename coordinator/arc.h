@@ -21,6 +21,7 @@
 #include "common/geometry/collision_world.h"
 #include "common/model/plan.h"
 #include "common/planning/schedule.h"
+#include "coordinator/adaptation.h"
 #include "coordinator/conflict_board.h"
 #include "coordinator/progress.h"
 #include "coordinator/subproblem_factory.h"
@@ -61,7 +62,6 @@ class Arc {
   const ArcStatistics& statistics() const { return statistics_; }
 
  private:
-  using Pair = std::pair<RobotId, RobotId>;
   struct Job {
     Conflict conflict;
     Subproblem subproblem;
@@ -69,23 +69,14 @@ class Arc {
     std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
   };
 
-  // Resolutions of a pair's conflicts that keep coming back at about the same time.
-  struct Trade {
-    unsigned count = 0;
-    double from = 0;   // s
-    double until = 0;  // s
-  };
-
   std::optional<ArcOutcome> plan_initial_paths();
-  Growth growth_of(const Conflict& conflict) const;
-  void note_resolved(const Job& job);
   std::vector<Job> choose(const ConflictBoard& board) const;
   void solve(std::vector<Job>& jobs);
   void find_robots_in_the_way(std::vector<Job>& jobs);
   std::vector<RobotId> hit_by(const Job& job, const Resolution& resolution) const;
-  std::vector<RobotId> entangled_with(const Job& job, const ConflictBoard& board) const;
-  bool adapt(const Job& job, const ConflictBoard& board);
   void record(const Job& job);
+  // One line a subproblem, for who wants to see why planning takes as long as it does.
+  void log(const Job& job) const;
   void report(Progress::Phase phase);
   ArcOutcome stopped() const;
   ArcOutcome infeasible(const Job& job) const;
@@ -97,8 +88,7 @@ class Arc {
   ProgressCallback progress_;
   SubproblemFactory factory_;
   Schedule schedule_;
-  std::map<Pair, Growth> growth_;
-  std::map<Pair, Trade> trades_;
+  Adaptation adaptation_;
   ArcStatistics statistics_;
   std::size_t robots_planned_ = 0;
 };

@@ -43,16 +43,25 @@ ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedu
 }
 
 void ConflictBoard::update(const std::vector<RobotId>& changed, double from) {
-  const auto is_changed = [&](RobotId robot) { return std::ranges::count(changed, robot) > 0; };
-  std::erase_if(conflicts_, [&](const auto& entry) {
-    const auto& [pair, time] = entry;
-    return time >= from && (is_changed(pair.first) || is_changed(pair.second));
-  });
+  forget(changed, from);
   for (const RobotId robot : changed) grid_.place(robot, schedule_.path(robot), from);
-  scanned_.assign(schedule_.size(), 0);
+  flags_.assign(schedule_.size(), 0);
   for (const RobotId robot : changed) {
     scan(robot, from);
-    scanned_[robot.index()] = 1;
+    flags_[robot.index()] = 1;
+  }
+}
+
+void ConflictBoard::forget(const std::vector<RobotId>& changed, double from) {
+  flags_.assign(schedule_.size(), 0);
+  for (const RobotId robot : changed) flags_[robot.index()] = 1;
+  for (auto i = by_time_.lower_bound({{0}, {0}, from}); i != by_time_.end();) {
+    if (flags_[i->first.index()] || flags_[i->second.index()]) {
+      times_.erase({i->first, i->second});
+      i = by_time_.erase(i);
+    } else {
+      ++i;
+    }
   }
 }
 
@@ -65,23 +74,17 @@ void ConflictBoard::scan(RobotId robot, double from) {
     const bool last = slab + 1 == grid_.slabs();
     const double end = last ? std::numeric_limits<double>::infinity() : grid_.slab_start(slab + 1);
     for (const RobotId other : neighbours) {
-      if (scanned_[other.index()]) continue;  // this pair was scanned from the other side
+      if (flags_[other.index()]) continue;  // this pair was scanned from the other side
       const Pair pair{std::min(robot, other), std::max(robot, other)};
-      if (conflicts_.contains(pair)) continue;  // an earlier one stands
+      if (times_.contains(pair)) continue;  // an earlier one stands
       ++pair_checks_;
       const auto time = earliest_contact(world_, pair.first, schedule_.path(pair.first),
                                          pair.second, schedule_.path(pair.second), begin, end);
-      if (time) conflicts_.emplace(pair, *time);
+      if (!time) continue;
+      times_.emplace(pair, *time);
+      by_time_.insert({pair.first, pair.second, *time});
     }
   }
-}
-
-std::vector<Conflict> ConflictBoard::conflicts() const {
-  std::vector<Conflict> all;
-  all.reserve(conflicts_.size());
-  for (const auto& [pair, time] : conflicts_) all.push_back({pair.first, pair.second, time});
-  std::ranges::stable_sort(all, {}, &Conflict::time);
-  return all;
 }
 
 }  // namespace accord

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,10 +27,16 @@ class ConflictBoard {
   // Scans again what the given robots' new paths may have changed from time `from` (s) on.
   void update(const std::vector<RobotId>& changed, double from);
 
-  bool empty() const { return conflicts_.empty(); }
-  std::size_t size() const { return conflicts_.size(); }
-  // All, by time, then by pair.
-  std::vector<Conflict> conflicts() const;
+  struct Earlier {
+    bool operator()(const Conflict& a, const Conflict& b) const {
+      return std::tie(a.time, a.first, a.second) < std::tie(b.time, b.first, b.second);
+    }
+  };
+
+  bool empty() const { return by_time_.empty(); }
+  std::size_t size() const { return by_time_.size(); }
+  // All, by time, then by pair. Valid until the next update.
+  const std::set<Conflict, Earlier>& conflicts() const { return by_time_; }
 
   const SpaceTimeGrid& grid() const { return grid_; }
   // Pieces of trajectory pairs looked at exactly so far.
@@ -37,13 +45,15 @@ class ConflictBoard {
  private:
   using Pair = std::pair<RobotId, RobotId>;
 
+  void forget(const std::vector<RobotId>& changed, double from);
   void scan(RobotId robot, double from);
 
   const CollisionWorld& world_;
   const Schedule& schedule_;
   SpaceTimeGrid grid_;
-  std::map<Pair, double> conflicts_;
-  std::vector<char> scanned_;  // by robot: already scanned in this update
+  std::set<Conflict, Earlier> by_time_;
+  std::map<Pair, double> times_;  // of the same
+  std::vector<char> flags_;       // scratch, by robot
   std::uint64_t pair_checks_ = 0;
 };
 

@@ -32,7 +32,11 @@ Aabb swept(const CollisionWorld& world, RobotId robot, const Trajectory& path, d
 }  // namespace
 
 SpaceTimeGrid::SpaceTimeGrid(const CollisionWorld& world, double slab, double cell)
-    : world_(world), slab_(slab), cell_(cell), boxes_(world.scene().robots.size()) {}
+    : world_(world),
+      slab_(slab),
+      cell_(cell),
+      boxes_(world.scene().robots.size()),
+      added_in_(world.scene().robots.size(), 0) {}
 
 std::size_t SpaceTimeGrid::slab_of(double t) const {
   return static_cast<std::size_t>(std::max(0.0, std::floor(t / slab_)));
@@ -94,37 +98,41 @@ void SpaceTimeGrid::place(RobotId robot, const Trajectory& path, double from) {
   }
 }
 
-void SpaceTimeGrid::neighbours(RobotId robot, std::size_t slab, std::vector<RobotId>& out) const {
+void SpaceTimeGrid::begin(std::vector<RobotId>& out) const {
   out.clear();
-  const Aabb& box = boxes_[robot.index()][slab];
+  ++question_;
+}
+
+void SpaceTimeGrid::collect(const Aabb& box, std::size_t slab, std::vector<RobotId>& out) const {
   for_each_cell(box, slab, [&](Key key) {
     const auto cell = cells_.find(key);
     if (cell == cells_.end()) return;
     for (const RobotId other : cell->second) {
-      if (other != robot && boxes_[other.index()][slab].overlaps(box)) out.push_back(other);
+      if (added_in_[other.index()] == question_) continue;
+      if (!boxes_[other.index()][slab].overlaps(box)) continue;
+      added_in_[other.index()] = question_;
+      out.push_back(other);
     }
   });
+}
+
+void SpaceTimeGrid::neighbours(RobotId robot, std::size_t slab, std::vector<RobotId>& out) const {
+  begin(out);
+  added_in_[robot.index()] = question_;
+  collect(boxes_[robot.index()][slab], slab, out);
   std::ranges::sort(out);
-  out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 void SpaceTimeGrid::within(const Aabb& box, double from, double until,
                            std::vector<RobotId>& out) const {
-  out.clear();
+  begin(out);
   if (slabs_ == 0) return;
   const std::size_t last = slabs_ - 1;
   const std::size_t end = until < slab_start(last) ? slab_of(until) : last;
   for (std::size_t slab = std::min(slab_of(from), last); slab <= end; ++slab) {
-    for_each_cell(box, slab, [&](Key key) {
-      const auto cell = cells_.find(key);
-      if (cell == cells_.end()) return;
-      for (const RobotId other : cell->second) {
-        if (boxes_[other.index()][slab].overlaps(box)) out.push_back(other);
-      }
-    });
+    collect(box, slab, out);
   }
   std::ranges::sort(out);
-  out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
 }  // namespace accord

@@ -39,6 +39,10 @@ class SpaceTimeGrid {
   void extend_to(std::size_t slabs);
   void file(RobotId robot, std::size_t slab, const Aabb& box);
   void remove(RobotId robot, std::size_t slab);
+  // Adds the robots filed under the box's cells of a slab whose boxes meet it and that have not
+  // been added since out was cleared by begin().
+  void begin(std::vector<RobotId>& out) const;
+  void collect(const Aabb& box, std::size_t slab, std::vector<RobotId>& out) const;
   template <class Visit>
   void for_each_cell(const Aabb& box, std::size_t slab, const Visit& visit) const;
 
@@ -48,6 +52,8 @@ class SpaceTimeGrid {
   std::size_t slabs_ = 0;
   std::vector<std::vector<Aabb>> boxes_;  // by robot, then slab; inflated by half the separation
   std::unordered_map<Key, std::vector<RobotId>> cells_;
+  mutable std::vector<std::uint64_t> added_in_;  // by robot: the last question that it answered
+  mutable std::uint64_t question_ = 0;
 };
 
 }  // namespace accord

@@ -24,6 +24,11 @@ constexpr double kArmRegionMargin = 0.6;  // rad or m
 // solution where one that looks ahead a little has.
 constexpr double kForesight = 2.0;
 constexpr double kShortForesight = 0.4;
+// Half windows' counterpart for crowds, in robots' own times: where the window begins before the
+// conflict, how long everyone is avoided, and how much later goals are to be reached.
+constexpr double kCrowdHindsight = 4.0;
+constexpr double kCrowdForesight = 12.0;
+constexpr double kCrowdRoom = 12.0;
 // Cutting closer to a waypoint than this would leave a sliver of a motion.
 constexpr double kSliver = 1e-5;  // s
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -71,6 +76,26 @@ double SubproblemFactory::own_time(RobotId id) const {
   return longest;
 }
 
+SubproblemFactory::Window SubproblemFactory::window(const Conflict& conflict,
+                                                    const Growth& growth) const {
+  double unit = std::max(own_time(conflict.first), own_time(conflict.second));
+  for (const RobotId robot : growth.taken_in) unit = std::max(unit, own_time(robot));
+  unit *= std::ldexp(1.0, static_cast<int>(growth.window));
+  Window out;
+  if (growth.crowd) {
+    out.from = conflict.time - kCrowdHindsight * unit;
+    out.horizon = std::max(out.from, 0.0) + kCrowdForesight * unit;
+    out.to = out.horizon + kCrowdRoom * unit;
+  } else {
+    const double half = kWindow * unit;
+    out.from = conflict.time - half;
+    out.to = conflict.time + half;
+    out.horizon = conflict.time + (growth.shortsighted ? kShortForesight : kForesight) * half;
+  }
+  if (out.from <= 0) out.from = 0;
+  return out;
+}
+
 Subproblem SubproblemFactory::create_initial(RobotId id) const {
   const Robot& robot = world_.scene().robot(id);
   Subproblem out;
@@ -78,7 +103,7 @@ Subproblem SubproblemFactory::create_initial(RobotId id) const {
   out.horizon = kInfinity;
   out.whole = true;
   out.tasks.push_back(
-      {id, 0, robot.start, robot.goal, whole_region(world_.scene(), id), {}, {}, -1});
+      {id, 0, robot.start, 0, robot.goal, whole_region(world_.scene(), id), {}, {}, -1});
   return out;
 }
 
@@ -86,16 +111,29 @@ Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& gro
                                      const Schedule& schedule, const ConflictBoard& board) const {
   std::set<RobotId> members = growth.taken_in;
   members.insert({conflict.first, conflict.second});
-  const std::vector<RobotId> robots(members.begin(), members.end());
   Subproblem out;
-  set_window(conflict, growth, schedule, robots, out);
-  for (const RobotId robot : robots) {
-    out.tasks.push_back(make_task(robot, growth, schedule, out));
-  }
   out.seed = combine({seed_, conflict.first.value, conflict.second.value,
                       std::bit_cast<std::uint64_t>(conflict.time), growth.attempts});
-  add_outsiders(schedule, board, growth.to_the_end, out);
+  cut(conflict, growth, schedule, board, members, out);
+  if (growth.crowd) {
+    // Those who stand by may have to make way.
+    members.merge(robots_near(out, board));
+    cut(conflict, growth, schedule, board, members, out);
+  }
+  add_outsiders(schedule, board, growth.to_the_end, growth.shortsighted, out);
   return out;
+}
+
+void SubproblemFactory::cut(const Conflict& conflict, const Growth& growth,
+                            const Schedule& schedule, const ConflictBoard& board,
+                            const std::set<RobotId>& members, Subproblem& out) const {
+  const std::vector<RobotId> robots(members.begin(), members.end());
+  set_window(conflict, growth, schedule, robots, out);
+  out.tasks.clear();
+  for (const RobotId robot : robots) {
+    out.tasks.push_back(make_task(robot, growth, schedule, board, out));
+  }
+  for (const Task& task : out.tasks) out.to = std::max(out.to, task.to);
 }
 
 void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growth,
@@ -106,50 +144,58 @@ void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growt
     unit = std::max(unit, own_time(robot));
     end = std::max(end, schedule.path(robot).end_time());
   }
-  const double half = kWindow * unit * std::ldexp(1.0, static_cast<int>(growth.window));
+  const Window window = this->window(conflict, growth);
   end = std::max(end, conflict.time + 0.1 * unit);
-  out.from = conflict.time - half;
-  out.from = out.from <= 0 ? 0 : away_from_slivers(out.from, robots, schedule);
+  out.from = window.from == 0 ? 0 : away_from_slivers(window.from, robots, schedule);
   if (out.from >= conflict.time) out.from = 0;
-  out.to = growth.to_the_end ? end : std::min(conflict.time + half, end);
-  // The end moves on past configurations that are themselves in conflict.
-  const auto clear_at = [&](double t) {
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      for (std::size_t j = i + 1; j < robots.size(); ++j) {
-        if (!world_.are_clear(robots[i], schedule.path(robots[i]).at(t), robots[j],
-                              schedule.path(robots[j]).at(t))) {
-          return false;
-        }
-      }
-    }
-    return true;
-  };
-  while (out.to < end && !clear_at(out.to)) out.to = std::min(out.to + 0.5 * unit, end);
-  if (out.to < end) out.to = away_from_slivers(out.to, robots, schedule);
-  out.horizon = conflict.time + (growth.shortsighted ? kShortForesight : kForesight) * half;
+  out.to = growth.to_the_end ? end : std::min(window.to, end);
+  out.horizon = window.horizon;
+  if (growth.crowd) out.clear_until = out.horizon;
   out.whole = out.from == 0 && out.to >= end;
 }
 
+// The end of a robot's part of the window: moves outwards along its path, past configurations that
+// are themselves in conflict.
+double SubproblemFactory::clear_end(RobotId robot, double from, double to, const Schedule& schedule,
+                                    const ConflictBoard& board) const {
+  const Trajectory& path = schedule.path(robot);
+  const auto is_clear_at = [&](double t) {
+    const Configuration q = path.at(t);
+    std::vector<RobotId> near;
+    board.grid().within(world_.swept_bounds(robot, q, q), t, t, near);
+    return std::ranges::all_of(near, [&](RobotId other) {
+      return other == robot || world_.are_clear(robot, q, other, schedule.path(other).at(t));
+    });
+  };
+  // Two robots side by side may be in conflict for ever.
+  constexpr double kMost = 2.0;
+  const double end = std::min(path.end_time(), from + kMost * (to - from));
+  const double step = 0.5 * own_time(robot);
+  while (to < end && !is_clear_at(to)) to = std::min(to + step, end);
+  return to < path.end_time() ? away_from_slivers(to, {robot}, schedule) : to;
+}
+
 Task SubproblemFactory::make_task(RobotId robot, const Growth& growth, const Schedule& schedule,
-                                  const Subproblem& window) const {
+                                  const ConflictBoard& board, const Subproblem& window) const {
   const Trajectory& path = schedule.path(robot);
   Task task;
   task.robot = robot;
   task.version = schedule.version(robot);
   task.start = path.at(window.from);
-  task.goal = path.at(window.to);
+  task.to = clear_end(robot, window.from, window.to, schedule, board);
+  task.goal = path.at(task.to);
   task.guide = Trajectory(path.dof());
   task.guide.append(window.from, task.start);
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (path.time(i) > window.from && path.time(i) < window.to) {
+    if (path.time(i) > window.from && path.time(i) < task.to) {
       task.guide.append(path.time(i), path.configuration(i));
     }
   }
-  if (window.to > window.from) task.guide.append(window.to, task.goal);
+  if (task.to > window.from) task.guide.append(task.to, task.goal);
   task.tail = Trajectory(path.dof());
-  task.tail.append(window.to, task.goal);
+  task.tail.append(task.to, task.goal);
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (path.time(i) > window.to + kSameInstant) {
+    if (path.time(i) > task.to + kSameInstant) {
       task.tail.append(path.time(i), path.configuration(i));
       if (path.time(i) > window.horizon) break;
     }
@@ -205,15 +251,22 @@ Aabb SubproblemFactory::workspace(RobotId id, const Region& region) const {
   return box;
 }
 
-void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBoard& board,
-                                      bool settled_only, Subproblem& out) const {
+std::set<RobotId> SubproblemFactory::robots_near(const Subproblem& subproblem,
+                                                 const ConflictBoard& board) const {
   std::set<RobotId> near;
   std::vector<RobotId> found;
-  for (const Task& task : out.tasks) {
-    board.grid().within(workspace(task.robot, task.region), out.from, out.horizon, found);
+  for (const Task& task : subproblem.tasks) {
+    board.grid().within(workspace(task.robot, task.region), subproblem.from, subproblem.horizon,
+                        found);
     near.insert(found.begin(), found.end());
   }
-  for (const Task& task : out.tasks) near.erase(task.robot);
+  for (const Task& task : subproblem.tasks) near.erase(task.robot);
+  return near;
+}
+
+void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBoard& board,
+                                      bool settled_only, bool shortsighted, Subproblem& out) const {
+  std::set<RobotId> near = robots_near(out, board);
   if (settled_only) {
     for (const Conflict& conflict : board.conflicts()) {
       if (conflict.time > out.horizon) break;
@@ -221,8 +274,21 @@ void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBo
       near.erase(conflict.second);
     }
   }
+  std::map<RobotId, double> first_conflicts;
+  if (shortsighted) {
+    for (const Conflict& conflict : board.conflicts()) {
+      first_conflicts.try_emplace(conflict.first, conflict.time);
+      first_conflicts.try_emplace(conflict.second, conflict.time);
+    }
+  }
   for (const RobotId robot : near) {
-    out.outsiders.push_back({robot, schedule.version(robot), schedule.path(robot)});
+    const auto own = first_conflicts.find(robot);
+    double until = own == first_conflicts.end() ? out.horizon : std::min(out.horizon, own->second);
+    // Waiting for a parked robot to vanish must not seem a way past it. A crowd that finds no other
+    // asks it to move when it comes there.
+    if (!(out.is_crowd() && shortsighted) && schedule.path(robot).end_time() <= until)
+      until = kInfinity;
+    out.outsiders.push_back({robot, schedule.version(robot), schedule.path(robot), until});
   }
 }
 

@@ -20,6 +20,7 @@ namespace accord {
 struct Growth {
   unsigned window = 0;         // doublings of the time window and of the region's margin
   bool shortsighted = false;   // outsiders are avoided only until shortly after the conflict
+  bool crowd = false;          // many robots, which look a short time ahead
   bool to_the_end = false;     // the window ends with the paths, the region is the whole space
   std::set<RobotId> taken_in;  // robots beyond the conflicting pair
   unsigned attempts = 0;       // all in all
@@ -41,16 +42,30 @@ class SubproblemFactory {
   void use_roadmap(RobotId robot, int level);
   bool uses_roadmap(RobotId robot) const;
 
+  // When a subproblem at that stage of growth begins, is to end at least, and stops looking ahead.
+  struct Window {
+    double from;     // s
+    double to;       // s
+    double horizon;  // s
+  };
+  Window window(const Conflict& conflict, const Growth& growth) const;
+
   // Time (s) in which a robot moves by about its own size: the unit of windows.
   double own_time(RobotId robot) const;
 
  private:
   void set_window(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
                   const std::vector<RobotId>& robots, Subproblem& out) const;
+  void cut(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
+           const ConflictBoard& board, const std::set<RobotId>& members, Subproblem& out) const;
+  // Robots outside the subproblem that come near one of its regions before its horizon.
+  std::set<RobotId> robots_near(const Subproblem& subproblem, const ConflictBoard& board) const;
+  double clear_end(RobotId robot, double from, double to, const Schedule& schedule,
+                   const ConflictBoard& board) const;
   Task make_task(RobotId robot, const Growth& growth, const Schedule& schedule,
-                 const Subproblem& window) const;
+                 const ConflictBoard& board, const Subproblem& window) const;
   void add_outsiders(const Schedule& schedule, const ConflictBoard& board, bool settled_only,
-                     Subproblem& out) const;
+                     bool shortsighted, Subproblem& out) const;
   Region region(RobotId robot, const Trajectory& guide, unsigned doublings) const;
   Aabb workspace(RobotId robot, const Region& region) const;
   double body_size(RobotId robot) const;

@@ -4,11 +4,10 @@
 
 namespace accord {
 
-Trajectory with_tail(const CollisionWorld& world, const Subproblem& subproblem, const Task& task,
-                     const Trajectory& local) {
+Trajectory with_tail(const CollisionWorld& world, const Task& task, const Trajectory& local) {
   Trajectory path = local;
   if (task.tail.size() > 1) {
-    append_tail(*world.scene().robot(task.robot).model, task.tail, subproblem.to, path);
+    append_tail(*world.scene().robot(task.robot).model, task.tail, task.to, path);
   }
   return path;
 }

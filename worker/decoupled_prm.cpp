@@ -11,8 +11,10 @@ Resolution DecoupledPrm::do_solve(const Workspace& workspace, const Subproblem& 
   Effort effort;
   // Batches grow: most conflicts need a handful of places to step aside to.
   std::size_t batch = (subproblem.limits.decoupled_samples + 5) / 6;
+  constexpr std::size_t kSmallTeam = 4;
+  if (subproblem.tasks.size() > kSmallTeam) batch = subproblem.limits.decoupled_samples;
   for (std::size_t added = 0; added < subproblem.limits.decoupled_samples && !stop;) {
-    roadmaps.add_samples(workspace.world(), batch);
+    roadmaps.add_samples(batch);
     added += batch;
     batch *= 2;
     Resolution resolution = prioritized_search(workspace.world(), subproblem, roadmaps, stop);

@@ -15,39 +15,17 @@ constexpr std::size_t kGuidePoints = 9;
 // Tries a sample is worth: regions are mostly free, and where they are not, coupling is cheaper.
 constexpr std::size_t kTriesPerSample = 10;
 
-Team alone(const CollisionWorld& world, RobotId robot) {
-  return Team(world, {robot}, 0);
-}
-
-}  // namespace
-
-DecoupledRoadmaps::DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem)
-    : subproblem_(subproblem), next_sample_(subproblem.tasks.size(), 0) {
-  for (const Task& task : subproblem.tasks) {
-    const Team team = alone(workspace.world(), task.robot);
-    LocalRoadmap& roadmap = roadmaps_.emplace_back(team);
-    roadmap.add(team, task.start, false);
-    roadmap.add(team, task.goal, false);
-    if (task.roadmap_level >= 0) {
-      workspace.roadmap(task.robot)
-          .copy_into(static_cast<std::size_t>(task.roadmap_level), task.region, team, roadmap);
-      join_ends(team, roadmap);
-    }
-    lay_guide(team, roadmap, task);
-  }
-}
-
-void DecoupledRoadmaps::join_ends(const Team& team, LocalRoadmap& roadmap) {
+void join_ends(const Team& team, LocalRoadmap& roadmap) {
   std::vector<LocalRoadmap::Node> near;
-  for (const LocalRoadmap::Node end : {kStart, kGoal}) {
+  for (const LocalRoadmap::Node end : {DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal}) {
     const auto all = static_cast<LocalRoadmap::Node>(roadmap.size());
     roadmap.nearest(team, roadmap.configuration(end), kNeighbours, all, near);
     for (const LocalRoadmap::Node node : near) roadmap.connect(team, end, node);
   }
 }
 
-void DecoupledRoadmaps::lay_guide(const Team& team, LocalRoadmap& roadmap, const Task& task) {
-  roadmap.connect(team, kStart, kGoal);
+void lay_guide(const Team& team, const Task& task, LocalRoadmap& roadmap) {
+  roadmap.connect(team, DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal);
   if (task.guide.empty()) return;
   std::vector<double> times = task.guide.times();
   const double from = task.guide.start_time(), to = task.guide.end_time();
@@ -56,7 +34,7 @@ void DecoupledRoadmaps::lay_guide(const Team& team, LocalRoadmap& roadmap, const
   }
   std::ranges::sort(times);
   Configuration q(team.dof());
-  LocalRoadmap::Node before = kStart;
+  LocalRoadmap::Node before = DecoupledRoadmaps::kStart;
   for (const double t : times) {
     task.guide.at(t, q);
     const LocalRoadmap::Node node = roadmap.add(team, q);
@@ -64,30 +42,58 @@ void DecoupledRoadmaps::lay_guide(const Team& team, LocalRoadmap& roadmap, const
     if (node != before) roadmap.connect_nearest(team, node, 4);
     before = node;
   }
-  roadmap.connect(team, before, kGoal);
+  roadmap.connect(team, before, DecoupledRoadmaps::kGoal);
 }
 
-void DecoupledRoadmaps::add_samples(const CollisionWorld& world, std::size_t count) {
-  for (std::size_t i = 0; i < roadmaps_.size(); ++i) {
-    const Task& task = subproblem_.tasks[i];
-    const Team team = alone(world, task.robot);
-    const std::uint64_t seed = combine({subproblem_.seed, task.robot.value});
-    Configuration q(team.dof());
-    std::size_t added = 0;
-    for (std::size_t tries = 0; added < count && tries < count * kTriesPerSample; ++tries) {
-      sample_region(task.region, next_sample_[i]++, seed, q);
-      if (!team.is_free(q)) continue;
-      const LocalRoadmap::Node node = roadmaps_[i].add(team, q);
-      roadmaps_[i].connect_nearest(team, node, kNeighbours);
-      ++added;
-    }
-    samples_ += added;
+}  // namespace
+
+DecoupledRoadmaps::DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem)
+    : workspace_(workspace), subproblem_(subproblem), entries_(subproblem.tasks.size()) {}
+
+LocalRoadmap& DecoupledRoadmaps::of(std::size_t task) {
+  std::optional<Entry>& entry = entries_[task];
+  if (entry && entry->samples == samples_wanted_) return entry->roadmap;
+  const Team team(workspace_.world(), {subproblem_.tasks[task].robot}, 0);
+  if (!entry) {
+    entry.emplace(Entry{LocalRoadmap(team)});
+    build(team, subproblem_.tasks[task], entry->roadmap);
   }
+  if (entry->samples < samples_wanted_) sample(team, subproblem_.tasks[task], *entry);
+  return entry->roadmap;
+}
+
+void DecoupledRoadmaps::build(const Team& team, const Task& task, LocalRoadmap& roadmap) const {
+  roadmap.add(team, task.start, false);
+  roadmap.add(team, task.goal, false);
+  const RobotRoadmap& own = workspace_.roadmap(task.robot);
+  int level = task.roadmap_level;
+  if (subproblem_.is_crowd()) level = std::max(level, static_cast<int>(own.dense_level()));
+  if (level >= 0) {
+    own.copy_into(static_cast<std::size_t>(level), task.region, team, roadmap);
+    join_ends(team, roadmap);
+  }
+  lay_guide(team, task, roadmap);
+}
+
+void DecoupledRoadmaps::sample(const Team& team, const Task& task, Entry& entry) {
+  const std::size_t count = samples_wanted_ - entry.samples;
+  const std::uint64_t seed = combine({subproblem_.seed, task.robot.value});
+  Configuration q(team.dof());
+  std::size_t added = 0;
+  for (std::size_t tries = 0; added < count && tries < count * kTriesPerSample; ++tries) {
+    sample_region(task.region, entry.next_sample++, seed, q);
+    if (!team.is_free(q)) continue;
+    const LocalRoadmap::Node node = entry.roadmap.add(team, q);
+    entry.roadmap.connect_nearest(team, node, kNeighbours);
+    ++added;
+  }
+  samples_ += added;
+  entry.samples = samples_wanted_;
 }
 
 std::uint64_t DecoupledRoadmaps::motion_checks() const {
   std::uint64_t sum = 0;
-  for (const LocalRoadmap& roadmap : roadmaps_) sum += roadmap.motion_checks();
+  for (const auto& entry : entries_) sum += entry ? entry->roadmap.motion_checks() : 0;
   return sum;
 }
 

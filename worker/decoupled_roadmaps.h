@@ -1,9 +1,10 @@
 // The local roadmaps of a subproblem's robots, each in its own configuration space: start, goal,
 // the robot's own roadmap as far as it lies in the region, the guide's waypoints and points between
-// them, and samples of the region.
+// them, and samples of the region. Each is built when it is first asked for.
 // Not thread safe; lives as long as one solution attempt.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "common/planning/subproblem.h"
@@ -20,21 +21,29 @@ class DecoupledRoadmaps {
 
   DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem);
 
-  // Adds up to `count` free samples of its region to every robot's roadmap (Halton points, seeded
-  // by the subproblem), connected to their neighbours.
-  void add_samples(const CollisionWorld& world, std::size_t count);
+  // Every robot's roadmap gets up to `count` more free samples of its region (Halton points, seeded
+  // by the subproblem), connected to their neighbours. References from of() stay valid.
+  void add_samples(std::size_t count) { samples_wanted_ += count; }
 
-  LocalRoadmap& of(std::size_t task) { return roadmaps_[task]; }
+  LocalRoadmap& of(std::size_t task);
+  // Of the roadmaps that were asked for:
   std::uint64_t samples() const { return samples_; }
   std::uint64_t motion_checks() const;
 
  private:
-  void join_ends(const Team& team, LocalRoadmap& roadmap);
-  void lay_guide(const Team& team, LocalRoadmap& roadmap, const Task& task);
+  struct Entry {
+    LocalRoadmap roadmap;
+    std::size_t samples = 0;        // asked for
+    std::uint64_t next_sample = 0;  // index into the robot's Halton sequence
+  };
 
+  void build(const Team& team, const Task& task, LocalRoadmap& roadmap) const;
+  void sample(const Team& team, const Task& task, Entry& entry);
+
+  const Workspace& workspace_;
   const Subproblem& subproblem_;
-  std::vector<LocalRoadmap> roadmaps_;
-  std::vector<std::uint64_t> next_sample_;  // index into each robot's Halton sequence
+  std::vector<std::optional<Entry>> entries_;  // by task
+  std::size_t samples_wanted_ = 0;
   std::uint64_t samples_ = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "worker/local_roadmap.h"
 
 #include <algorithm>
+#include <limits>
+#include <queue>
 
 namespace accord {
 namespace {
@@ -19,6 +21,7 @@ LocalRoadmap::Node LocalRoadmap::add(const Team& team, ConfigurationView q, bool
   }
   configurations_.insert(configurations_.end(), q.begin(), q.end());
   adjacency_.emplace_back();
+  times_to_.clear();
   return static_cast<Node>(size() - 1);
 }
 
@@ -31,6 +34,7 @@ void LocalRoadmap::connect(const Team& team, Node a, Node b, bool proved) {
   const double duration = team.duration(configuration(a), target_);
   if (duration <= 0) return;
   const auto id = static_cast<std::uint32_t>(proofs_.size());
+  times_to_.clear();
   proofs_.push_back(proved ? Proof::kFree : Proof::kUnknown);
   adjacency_[a].push_back({b, id, duration});
   adjacency_[b].push_back({a, id, duration});
@@ -52,6 +56,28 @@ void LocalRoadmap::nearest(const Team& team, ConfigurationView q, std::size_t k,
                     ranked_.end());
   out.clear();
   for (std::size_t i = 0; i < k; ++i) out.push_back(ranked_[i].second);
+}
+
+const std::vector<double>& LocalRoadmap::times_to(Node goal) {
+  if (!times_to_.empty() && times_goal_ == goal) return times_to_;
+  times_goal_ = goal;
+  times_to_.assign(size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, Node>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  times_to_[goal] = 0;
+  open.emplace(0, goal);
+  while (!open.empty()) {
+    const auto [time, node] = open.top();
+    open.pop();
+    if (time > times_to_[node]) continue;
+    for (const Edge& edge : adjacency_[node]) {
+      const double through = time + edge.duration;
+      if (through >= times_to_[edge.to] || proofs_[edge.id] == Proof::kBlocked) continue;
+      times_to_[edge.to] = through;
+      open.emplace(through, edge.to);
+    }
+  }
+  return times_to_;
 }
 
 bool LocalRoadmap::is_free(const Team& team, Node from, const Edge& edge) {

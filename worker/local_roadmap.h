@@ -47,6 +47,11 @@ class LocalRoadmap {
   // Whether an edge's motion is free; proved once and remembered.
   bool is_free(const Team& team, Node from, const Edge& edge);
 
+  // By node: the least time (s) along edges not known to be blocked to `goal`; infinite where no
+  // edges lead there. Kept for further calls with the same goal while the roadmap does not change.
+  // A lower bound still after more edges have been proved.
+  const std::vector<double>& times_to(Node goal);
+
   std::uint64_t motion_checks() const { return motion_checks_; }
 
  private:
@@ -57,6 +62,8 @@ class LocalRoadmap {
   std::vector<std::vector<Edge>> adjacency_;
   std::vector<Proof> proofs_;  // by edge id
   std::uint64_t motion_checks_ = 0;
+  std::vector<double> times_to_;  // by node; empty: not known
+  Node times_goal_ = 0;
   Configuration target_;                                 // scratch
   mutable std::vector<std::pair<double, Node>> ranked_;  // scratch
   std::vector<Node> neighbours_;                         // scratch

@@ -14,10 +14,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestInterval = 1e-6;  // s
 constexpr double kSlack = MovingObstacles::kSlack;
 
-Vec3 to_point(ConfigurationView q) {
-  return {q[0], q[1], q.size() > 2 ? q[2] : 0.0};
-}
-
 void interpolate(ConfigurationView a, ConfigurationView b, double s, Configuration& out) {
   out.resize(a.size());
   for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + s * (b[k] - a[k]);
@@ -66,7 +62,7 @@ void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
     if (path.time(i) >= until) continue;
     const ConfigurationView from = path.configuration(i);
     const ConfigurationView to = last ? from : path.configuration(i + 1);
-    Piece piece{other, path.time(i), last ? kInfinity : path.time(i + 1), {}, {}, {}};
+    Piece piece{other, path.time(i), last ? until : path.time(i + 1), {}, {}, {}};
     if (i == 0) piece.t0 = std::min(piece.t0, from_);
     piece.from.assign(from.begin(), from.end());
     piece.to.assign(to.begin(), to.end());
@@ -88,7 +84,7 @@ void MovingObstacles::add_points(const Trajectory& path, double distance, double
   for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
     if (path.time(i) >= until) continue;
     const bool last = i + 1 == path.size();
-    PointPiece piece{path.time(i), kInfinity, to_point(path.configuration(i)),
+    PointPiece piece{path.time(i), until, to_point(path.configuration(i)),
                      Vec3::Zero(), distance,  distance * distance};
     if (!last) {
       piece.velocity =
@@ -101,15 +97,36 @@ void MovingObstacles::add_points(const Trajectory& path, double distance, double
 
 void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
   unsafe_.clear();
-  if (!points_.empty()) point_unsafe(q, unsafe_);
+  point_unsafe(points_near(q, q, from_), q, unsafe_);
   if (!pieces_.empty()) piece_unsafe(q, unsafe_);
   complement(unsafe_, from_, out);
 }
 
 // |p + v s - q| < d for s in the roots of a quadratic.
-void MovingObstacles::point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const {
+void MovingObstacles::add(const PointTraffic& traffic) {
+  traffic_ = &traffic;
+}
+
+std::span<const MovingObstacles::PointPiece> MovingObstacles::points_near(ConfigurationView a,
+                                                                          ConfigurationView b,
+                                                                          double since) {
+  if (!traffic_) return points_;
+  near_ = points_;
+  traffic_->near(to_point(a), to_point(b), since, found_);
+  const double mine = world_.radius(robot_).value_or(0) + world_.required_separation();
+  for (const PointTraffic::Piece* piece : found_) {
+    const double distance = mine + piece->radius;
+    near_.push_back(
+        {piece->t0, piece->t1, piece->position, piece->velocity, distance, distance * distance});
+  }
+  return near_;
+}
+
+void MovingObstacles::point_unsafe(std::span<const PointPiece> points, ConfigurationView q,
+                                   std::vector<Interval>& unsafe) {
+  if (points.empty()) return;
   const Vec3 here = to_point(q);
-  for (const PointPiece& piece : points_) {
+  for (const PointPiece& piece : points) {
     const Vec3 offset = piece.position - here;
     const double c = offset.squaredNorm() - piece.squared;
     const double a = piece.velocity.squaredNorm();
@@ -179,9 +196,9 @@ std::optional<double> MovingObstacles::contact(const Piece& piece, Configuration
 
 // The earliest departure from t on that is clear of the first piece that departing at t runs into;
 // t itself when that is clear of all points.
-double MovingObstacles::point_next_departure(const Vec3& a, const Vec3& velocity, double duration,
-                                             double t) const {
-  for (const PointPiece& piece : points_) {
+double MovingObstacles::point_next_departure(std::span<const PointPiece> points, const Vec3& a,
+                                             const Vec3& velocity, double duration, double t) {
+  for (const PointPiece& piece : points) {
     const double lo = std::max(t, piece.t0);
     const double hi = std::min(t + duration, piece.t1);
     if (lo >= hi) continue;
@@ -243,10 +260,11 @@ MovingObstacles::Passage MovingObstacles::past_pieces(ConfigurationView a, Confi
 
 bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, double t,
                                       double duration) {
-  if (!points_.empty()) {
+  const auto points = points_near(a, b, t);
+  if (!points.empty()) {
     const Vec3 from = to_point(a);
     const Vec3 velocity = (to_point(b) - from) / duration;
-    if (point_next_departure(from, velocity, duration, t) > t) return false;
+    if (point_next_departure(points, from, velocity, duration, t) > t) return false;
   }
   return past_pieces(a, b, t, duration) == Passage::kClear;
 }
@@ -255,12 +273,13 @@ std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, C
                                                           double duration, double lo, double hi) {
   double t = lo;
   double step = world_.scene().timestep;
-  const bool points = !points_.empty();
-  const Vec3 from = points ? to_point(a) : Vec3(Vec3::Zero());
-  const Vec3 velocity = points ? Vec3((to_point(b) - from) / duration) : Vec3(Vec3::Zero());
+  const auto points = points_near(a, b, lo);
+  const bool any = !points.empty();
+  const Vec3 from = any ? to_point(a) : Vec3(Vec3::Zero());
+  const Vec3 velocity = any ? Vec3((to_point(b) - from) / duration) : Vec3(Vec3::Zero());
   while (t <= hi) {
-    if (points) {
-      const double next = point_next_departure(from, velocity, duration, t);
+    if (any) {
+      const double next = point_next_departure(points, from, velocity, duration, t);
       if (std::isinf(next)) break;
       if (next > t) {
         t = next;

@@ -7,10 +7,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
 #include "common/model/trajectory.h"
+#include "worker/point_traffic.h"
 
 namespace accord {
 
@@ -33,7 +35,9 @@ class MovingObstacles {
   // infinite), but if it has parked by then, for good: else waiting for it to vanish would seem a
   // way past it. Copies what it needs.
   void add(RobotId other, const Trajectory& path, double until);
-  bool empty() const { return points_.empty() && pieces_.empty(); }
+  // Adds all discs and balls of `traffic`, which must outlive this and may change meanwhile.
+  // Requires: the robot is a disc or a ball.
+  void add(const PointTraffic& traffic);
 
   // The times from `from` on at which resting at q is free, in order, disjoint. Empty: never.
   void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
@@ -68,9 +72,14 @@ class MovingObstacles {
   };
 
   void add_points(const Trajectory& path, double distance, double until);
-  void point_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) const;
+  // The discs and balls that a motion from a to b can meet after `since` (s). Valid until the next
+  // call.
+  std::span<const PointPiece> points_near(ConfigurationView a, ConfigurationView b, double since);
+  static void point_unsafe(std::span<const PointPiece> points, ConfigurationView q,
+                           std::vector<Interval>& unsafe);
   void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
-  double point_next_departure(const Vec3& a, const Vec3& velocity, double duration, double t) const;
+  static double point_next_departure(std::span<const PointPiece> points, const Vec3& a,
+                                     const Vec3& velocity, double duration, double t);
   static double last_unsafe_departure(const PointPiece& piece, const Vec3& a, const Vec3& velocity,
                                       double duration);
   // A motion into a robot that has parked stays blocked however late it departs.
@@ -85,8 +94,11 @@ class MovingObstacles {
   double from_;
   std::vector<PointPiece> points_;
   std::vector<Piece> pieces_;
+  const PointTraffic* traffic_ = nullptr;
   std::uint64_t checks_ = 0;
   std::vector<Interval> unsafe_;                               // scratch
+  std::vector<PointPiece> near_;                               // scratch
+  std::vector<const PointTraffic::Piece*> found_;              // scratch
   Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
 };
 

@@ -9,6 +9,7 @@
 #include "common/planning/random.h"
 #include "worker/continuation.h"
 #include "worker/path_shortening.h"
+#include "worker/prioritized_repair.h"
 #include "worker/safe_interval_search.h"
 
 namespace accord {
@@ -60,7 +61,7 @@ class PrioritizedSearch {
       }
       shorten(team, request, *found, stop, out.effort);
       out.end = std::max(out.end, found->end_time());
-      onwards[rank] = with_tail(world_, subproblem_, task, *found);
+      onwards[rank] = with_tail(world_, task, *found);
       for (std::size_t before = 0; before < rank && clean_; ++before) {
         clean_ = !earliest_contact(world_, task.robot, onwards[rank],
                                    subproblem_.tasks[order[before]].robot, onwards[before],
@@ -105,33 +106,6 @@ Resolution best_of_all_orders(PrioritizedSearch& search, Order order, const std:
   return best;
 }
 
-// Larger teams: who finds no way goes first the next time; where that has been tried, a seeded
-// shuffle. The first order that works has to do.
-Resolution first_order_that_works(PrioritizedSearch& search, Order order,
-                                  const Subproblem& subproblem, const std::atomic<bool>& stop,
-                                  Effort& effort) {
-  RandomStream random(combine({subproblem.seed, 0x6f72646572}));
-  std::set<Order> tried;
-  const std::size_t most = subproblem.limits.priority_orders + 2 * order.size();
-  while (tried.size() < most && !stop) {
-    tried.insert(order);
-    Resolution found;
-    const bool solved = search.plan(order, stop, found);
-    effort += found.effort;
-    if (solved) return found;
-    const auto begin = order.begin();
-    const auto stuck = begin + static_cast<std::ptrdiff_t>(search.stuck());
-    std::rotate(begin, stuck, stuck + 1);
-    for (std::size_t tries = 0; tried.contains(order) && tries < most; ++tries) {
-      for (std::size_t i = order.size() - 1; i > 0; --i) {
-        std::swap(order[i], order[random.below(i + 1)]);
-      }
-    }
-    if (tried.contains(order)) break;
-  }
-  return {};
-}
-
 }  // namespace
 
 Resolution prioritized_search(const CollisionWorld& world, const Subproblem& subproblem,
@@ -140,8 +114,7 @@ Resolution prioritized_search(const CollisionWorld& world, const Subproblem& sub
   PrioritizedSearch search(world, subproblem, roadmaps);
   Effort effort;
   Resolution best = robots <= 2 ? best_of_all_orders(search, in_given_order(robots), stop, effort)
-                                : first_order_that_works(search, in_given_order(robots), subproblem,
-                                                         stop, effort);
+                                : prioritized_repair(world, subproblem, roadmaps, stop, effort);
   best.effort = effort;
   best.effort.motion_checks += roadmaps.motion_checks();
   return best;

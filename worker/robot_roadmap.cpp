@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "common/planning/random.h"
+#include "common/planning/region.h"
 #include "worker/free_samples.h"
 
 namespace accord {
@@ -240,18 +241,43 @@ class Query {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
+std::size_t samples_of_level(const RobotModel& model, std::size_t level) {
+  std::size_t samples = kNodesPerDof * model.dof();
+  for (std::size_t i = 0; i < level; ++i) samples *= kGrowth;
+  return samples;
+}
+
+std::size_t first_dense_level(const CollisionWorld& world, RobotId id) {
+  const Robot& robot = world.scene().robot(id);
+  const Aabb body = world.swept_bounds(id, robot.start, robot.start);
+  const Region whole = whole_region(world.scene(), id);
+  double bodies = 1;  // that fill the space
+  for (std::size_t k = 0; k < robot.model->translations(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    bodies *= (whole.upper[k] - whole.lower[k]) / (body.max[axis] - body.min[axis]);
+  }
+  std::size_t level = 0;
+  while (level + 1 < RobotRoadmap::kLevels &&
+         static_cast<double>(samples_of_level(*robot.model, level)) < bodies) {
+    ++level;
+  }
+  return level;
+}
+
 }  // namespace
 
 RobotRoadmap::RobotRoadmap(const CollisionWorld& world, RobotId robot)
-    : world_(world), robot_(robot), levels_(kLevels) {}
+    : world_(world),
+      robot_(robot),
+      dense_level_(first_dense_level(world, robot)),
+      levels_(kLevels) {}
 
 RobotRoadmap::~RobotRoadmap() = default;
 
 const RobotRoadmap::Level& RobotRoadmap::level(std::size_t index) const {
   const std::lock_guard lock(mutex_);
   if (!levels_[index]) {
-    std::size_t samples = kNodesPerDof * world_.scene().robot(robot_).model->dof();
-    for (std::size_t i = 0; i < index; ++i) samples *= kGrowth;
+    const std::size_t samples = samples_of_level(*world_.scene().robot(robot_).model, index);
     levels_[index] = std::make_unique<Level>(world_, robot_, samples);
   }
   return *levels_[index];

@@ -26,6 +26,10 @@ class RobotRoadmap {
   RobotRoadmap(const CollisionWorld& world, RobotId robot);
   ~RobotRoadmap();
 
+  // The first level whose nodes lie no further apart than a mobile robot is large, so that there are
+  // places to make way to wherever it is; the last level where none does, the first for arms.
+  std::size_t dense_level() const { return dense_level_; }
+
   // The shortest path (in time) from start to goal on the roadmap of `level` (from 0), as
   // configurations from start to goal, numbers running on over whole turns; nullopt: none.
   // Requires: start and goal are free, level < kLevels.
@@ -43,6 +47,7 @@ class RobotRoadmap {
 
   const CollisionWorld& world_;
   RobotId robot_;
+  std::size_t dense_level_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Level>> levels_;
 };

@@ -18,18 +18,18 @@ struct State {
   double arrival = std::numeric_limits<double>::infinity();
   double departure = 0;  // from the parent
   std::uint32_t parent = kNone;
-  bool closed = false;
 };
 
 struct Open {
-  double bound;  // arrival plus the least time to the goal
-  double arrival;
+  double bound;    // on the arrival at the goal
+  double to_go;    // least time from here to the goal
+  double arrival;  // here; what it was when this was put into the queue
   std::uint32_t state;
 
-  // For a queue with the least bound on top; of equals the one that is furthest on.
+  // For a queue with the least bound on top; of equals the one nearest to the goal.
   bool operator<(const Open& other) const {
     if (bound != other.bound) return bound > other.bound;
-    if (arrival != other.arrival) return arrival < other.arrival;
+    if (to_go != other.to_go) return to_go > other.to_go;
     return state > other.state;
   }
 };
@@ -45,15 +45,15 @@ class Search {
         checks_end_(team.checks() + request.checks),
         first_(roadmap.size(), kNone),
         count_(roadmap.size(), 0),
-        bounds_(roadmap.size(), -1) {}
+        bounds_(roadmap.times_to(request.goal)) {}
 
   std::optional<Trajectory> run(std::uint64_t& expanded) {
+    if (!find_goal_times()) return std::nullopt;
     open_start();
     for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty() && !is_spent();) {
-      const std::uint32_t id = open_.top().state;
+      const auto [bound, to_go, arrival, id] = open_.top();
       open_.pop();
-      if (states_[id].closed) continue;
-      states_[id].closed = true;
+      if (arrival > states_[id].arrival) continue;  // reached earlier since
       if (is_goal(states_[id])) return trace(id);
       ++expanded;
       --budget;
@@ -63,6 +63,24 @@ class Search {
   }
 
  private:
+  // When the goal is free for good: nobody has to be there before. False: never.
+  bool find_goal_times() {
+    load_states(request_.goal);
+    for (std::uint32_t i = 0; i < count_[request_.goal]; ++i) {
+      const Interval& interval = states_[first_[request_.goal] + i].interval;
+      if (interval.hi < request_.hold_until) continue;
+      goal_from_ = interval.lo;
+      return true;
+    }
+    return false;
+  }
+
+  void open(std::uint32_t id) {
+    const State& state = states_[id];
+    const double to_go = bounds_[state.node];
+    open_.push({std::max(state.arrival + to_go, goal_from_), to_go, state.arrival, id});
+  }
+
   void open_start() {
     load_states(request_.start);
     for (std::uint32_t i = 0; i < count_[request_.start]; ++i) {
@@ -73,7 +91,7 @@ class Search {
       if (state.interval.hi < request_.from - kLeeway) continue;
       state.interval.hi = std::max(state.interval.hi, request_.from);
       state.arrival = request_.from;
-      open_.push({request_.from, request_.from, first_[request_.start] + i});
+      open(first_[request_.start] + i);
     }
   }
 
@@ -90,16 +108,6 @@ class Search {
     for (const Interval& interval : intervals_) states_.push_back({node, interval});
   }
 
-  double least_time_to_goal(Node node) {
-    if (bounds_[node] < 0) {
-      target_.resize(team_.dof());
-      team_.nearest_representation(roadmap_.configuration(node),
-                                   roadmap_.configuration(request_.goal), target_);
-      bounds_[node] = team_.duration(roadmap_.configuration(node), target_);
-    }
-    return bounds_[node];
-  }
-
   bool is_spent() const { return stop_ || team_.checks() > checks_end_; }
 
   void expand(std::uint32_t id) {
@@ -113,7 +121,6 @@ class Search {
   void relax(std::uint32_t from_id, const LocalRoadmap::Edge& edge, std::uint32_t to_id) {
     const State from = states_[from_id];
     const Interval there = states_[to_id].interval;
-    if (states_[to_id].closed) return;
     const double lo = std::max(from.arrival, there.lo - edge.duration);
     const double hi = std::min(from.interval.hi, there.hi - edge.duration);
     if (lo > hi || lo + edge.duration >= states_[to_id].arrival) return;
@@ -125,13 +132,12 @@ class Search {
         team_.earliest_departure(roadmap_.configuration(from.node), target_, edge.duration, lo, hi);
     if (!departure) return;
     const double arrival = *departure + edge.duration;
-    const double bound = arrival + least_time_to_goal(edge.to);
     State& to = states_[to_id];
     if (arrival >= to.arrival) return;
     to.arrival = arrival;
     to.departure = *departure;
     to.parent = from_id;
-    open_.push({bound, arrival, to_id});
+    open(to_id);
   }
 
   Trajectory trace(std::uint32_t id) const {
@@ -159,9 +165,10 @@ class Search {
   const SearchRequest& request_;
   const std::atomic<bool>& stop_;
   std::uint64_t checks_end_;
-  std::vector<std::uint32_t> first_;  // a node's first state
-  std::vector<std::uint32_t> count_;  // a node's number of states
-  std::vector<double> bounds_;        // a node's least time to the goal; -1: not known yet
+  std::vector<std::uint32_t> first_;   // a node's first state
+  std::vector<std::uint32_t> count_;   // a node's number of states
+  const std::vector<double>& bounds_;  // a node's least time to the goal
+  double goal_from_ = 0;               // s
   std::vector<State> states_;
   std::priority_queue<Open> open_;
   std::vector<Interval> intervals_;  // scratch

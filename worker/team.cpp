@@ -38,9 +38,13 @@ void Team::avoid(RobotId other, const Trajectory& path, double until) {
   for (MovingObstacles& obstacles : obstacles_) obstacles.add(other, path, until);
 }
 
+void Team::avoid(const PointTraffic& traffic) {
+  for (MovingObstacles& obstacles : obstacles_) obstacles.add(traffic);
+}
+
 void Team::avoid_outsiders(const Subproblem& subproblem) {
   for (const Outsider& outsider : subproblem.outsiders) {
-    avoid(outsider.robot, outsider.path, subproblem.horizon);
+    avoid(outsider.robot, outsider.path, outsider.until);
   }
 }
 

@@ -30,6 +30,8 @@ class Team {
   // All members have to avoid this robot until `until` (s).
   void avoid(RobotId other, const Trajectory& path,
              double until = std::numeric_limits<double>::infinity());
+  // And all discs and balls of `traffic`. Requires: all members are discs or balls.
+  void avoid(const PointTraffic& traffic);
   // The outsiders of a subproblem, until its horizon.
   void avoid_outsiders(const Subproblem& subproblem);
 

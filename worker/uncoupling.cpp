@@ -15,11 +15,11 @@ namespace {
 bool is_clear_of_team(const CollisionWorld& world, const Subproblem& subproblem,
                       const Resolution& resolution, std::size_t i, const Trajectory& path) {
   const Task& mine = subproblem.tasks[i];
-  const Trajectory onwards = with_tail(world, subproblem, mine, path);
+  const Trajectory onwards = with_tail(world, mine, path);
   for (std::size_t j = 0; j < resolution.paths.size(); ++j) {
     if (j == i) continue;
     const Task& other = subproblem.tasks[j];
-    const Trajectory theirs = with_tail(world, subproblem, other, resolution.paths[j]);
+    const Trajectory theirs = with_tail(world, other, resolution.paths[j]);
     const double until = std::max(subproblem.horizon, resolution.end);
     if (earliest_contact(world, mine.robot, onwards, other.robot, theirs, subproblem.from, until)) {
       return false;
@@ -39,7 +39,7 @@ void uncouple(const CollisionWorld& world, const Subproblem& subproblem, Resolut
     for (std::size_t j = 0; j < resolution.paths.size(); ++j) {
       if (j == i) continue;
       team.avoid(subproblem.tasks[j].robot,
-                 with_tail(world, subproblem, subproblem.tasks[j], resolution.paths[j]));
+                 with_tail(world, subproblem.tasks[j], resolution.paths[j]));
     }
     const SearchRequest request{0,
                                 1,

@@ -58,17 +58,23 @@ bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution
   for (const Task& task : subproblem.tasks) {
     if (version(task.robot) != task.version) return false;
   }
+  const auto goes_on_as_before = [&](std::size_t i) {
+    return resolution.paths[i] == subproblem.tasks[i].guide;
+  };
   std::vector<RobotId> robots;
-  for (const Task& task : subproblem.tasks) robots.push_back(task.robot);
   for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
+    if (!goes_on_as_before(i)) robots.push_back(subproblem.tasks[i].robot);
+  }
+  for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
+    if (goes_on_as_before(i)) continue;
     const Task& task = subproblem.tasks[i];
     Entry& entry = entries_[task.robot.index()];
     const double arrival = resolution.paths[i].end_time();
     std::vector<CouplingSegment> coupling;
     copy_clipped(entry.coupling, 0, subproblem.from, 0, coupling);
     coupling.push_back({subproblem.from, arrival, robots, resolution.solver});
-    copy_clipped(entry.coupling, subproblem.to, std::numeric_limits<double>::infinity(),
-                 arrival - subproblem.to, coupling);
+    copy_clipped(entry.coupling, task.to, std::numeric_limits<double>::infinity(),
+                 arrival - task.to, coupling);
     entry.coupling = std::move(coupling);
     splice(entry, subproblem, task, resolution.paths[i]);
     ++entry.version;
@@ -85,7 +91,7 @@ void Schedule::splice(Entry& entry, const Subproblem& subproblem, const Task& ta
     path.append(old.time(i), old.configuration(i));
   }
   for (std::size_t i = 0; i < local.size(); ++i) path.append(local.time(i), local.configuration(i));
-  append_tail(*scene_->robot(task.robot).model, old, subproblem.to, path);
+  append_tail(*scene_->robot(task.robot).model, old, task.to, path);
   entry.path = path.tidied();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,11 @@ struct Task {
   RobotId robot;
   std::uint64_t version;   // of the robot's trajectory that this was computed from
   Configuration start;     // at the window's start
-  Configuration goal;      // to be reached at its end, or later
+  double to = 0;           // s: when the robot's present path reaches the goal
+  Configuration goal;      // to be reached then, or later
   Region region;           // holds start, goal and guide
   Trajectory guide;        // the robot's present path inside the window
-  Trajectory tail;         // and after it, as far as the horizon; starts at the goal at `to`
+  Trajectory tail;         // and after it, as far as the horizon; begins at the goal
   int roadmap_level = -1;  // of the robot's own roadmap, to search on as well; -1: none
 };
 
@@ -35,6 +37,7 @@ struct Outsider {
   RobotId robot;
   std::uint64_t version;
   Trajectory path;
+  double until;  // s: avoided until then; infinite where it has parked and is not to be moved
 };
 
 // What bounds a solution attempt. Counts, never time: budgets must not depend on the machine.
@@ -50,13 +53,19 @@ struct SolverLimits {
 struct Subproblem {
   std::uint64_t seed = 0;
   double from = 0;     // s: all robots are at their starts
-  double to = 0;       // s: when the present paths reach the goals
+  double to = 0;       // s: when the last of the present paths reaches its goal
   double horizon = 0;  // s: outsiders are avoided until then; what comes later is left to later
                        // subproblems, which will know it better
+  // s: the team's robots keep clear of each other until then, at least until all have arrived where
+  // it is infinite.
+  double clear_until = std::numeric_limits<double>::infinity();
   bool whole = false;  // E' = E and Q' = Q: the last solver goes on to its own limit
   std::vector<Task> tasks;          // in the order of robot ids
   std::vector<Outsider> outsiders;  // in the order of robot ids
   SolverLimits limits;
+
+  // Many robots that look a short time ahead.
+  bool is_crowd() const { return clear_until < std::numeric_limits<double>::infinity(); }
 };
 
 // What solving it cost. The same for the same subproblem.

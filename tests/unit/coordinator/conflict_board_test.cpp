@@ -41,7 +41,9 @@ std::vector<Conflict> all_pairs(const CollisionWorld& world, const Schedule& sch
   return conflicts;
 }
 
-void expect_same(const std::vector<Conflict>& a, const std::vector<Conflict>& b) {
+void expect_same(const std::set<Conflict, ConflictBoard::Earlier>& found,
+                 const std::vector<Conflict>& b) {
+  const std::vector<Conflict> a(found.begin(), found.end());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].first, b[i].first);

@@ -33,6 +33,7 @@ class ScheduleTest : public ::testing::Test {
       task.robot = robot;
       task.version = schedule_.version(robot);
       task.start = schedule_.path(robot).at(3);
+      task.to = 7;
       task.goal = schedule_.path(robot).at(7);
       subproblem.tasks.push_back(task);
     }
@@ -113,6 +114,7 @@ TEST(ScheduleHeadings, GoOnInTheWholeTurnsThatTheLocalPathEndedIn) {
   task.robot = kFirst;
   task.version = 1;
   task.start = {2, 0, 0};
+  task.to = 8;
   task.goal = {8, 0, 0};
   window.tasks.push_back(task);
   Resolution spin;

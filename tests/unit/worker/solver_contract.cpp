@@ -57,7 +57,7 @@ std::string contract_breach(const CollisionWorld& world, const Subproblem& subpr
     }
     for (const Outsider& outsider : subproblem.outsiders) {
       if (earliest_contact(world, tasks[i].robot, path, outsider.robot, outsider.path,
-                           subproblem.from, std::min(resolution.end, subproblem.horizon))) {
+                           subproblem.from, std::min(resolution.end, outsider.until))) {
         return "a robot runs into an outsider";
       }
     }

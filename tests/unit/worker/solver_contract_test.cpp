@@ -32,9 +32,9 @@ Problem whole_problem(std::shared_ptr<const Scene> scene, std::size_t members) {
     const Trajectory guide = testing::path({{0, robot.start}, {12, robot.goal}});
     if (id < members) {
       subproblem.tasks.push_back(
-          {{id}, 1, robot.start, robot.goal, whole_region(*scene, {id}), guide, {}, -1});
+          {{id}, 1, robot.start, 12, robot.goal, whole_region(*scene, {id}), guide, {}, -1});
     } else {
-      subproblem.outsiders.push_back({{id}, 1, guide});
+      subproblem.outsiders.push_back({{id}, 1, guide, subproblem.horizon});
     }
   }
   return {std::move(scene), std::move(subproblem)};

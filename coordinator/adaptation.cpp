@@ -1,0 +1,156 @@
+#include "coordinator/adaptation.h"
+
+#include <algorithm>
+
+namespace accord {
+namespace {
+
+// Times that a conflict of the same pair comes back before its robots are merged with those that
+// they keep getting in conflict with.
+constexpr unsigned kTradesToMerge = 2;
+// A team that cannot make it grows by this many robots at a time, a crowd by half of itself.
+constexpr std::size_t kTakenInAtOnce = 2;
+// A local solution that delays its robots by more than this all in all, in robots' own times, has
+// been squeezed in between others that may be the ones to give way.
+constexpr double kOwnTimesForLocal = 3.0;
+// More robots than these, each in conflict with one of the others at about the same time, are a
+// crowd.
+constexpr std::size_t kLocalTeam = 4;
+
+// Robots outside the team that are in conflict with one of it in the window: their paths have to
+// change in any case. Earliest first.
+std::vector<RobotId> entangled_with(const Subproblem& subproblem, const ConflictBoard& board) {
+  std::set<RobotId> team;
+  for (const Task& task : subproblem.tasks) team.insert(task.robot);
+  std::vector<RobotId> robots;
+  for (const Conflict& conflict : board.conflicts()) {
+    if (conflict.time > subproblem.to) break;
+    const bool first = team.contains(conflict.first), second = team.contains(conflict.second);
+    if (first != second) robots.push_back(first ? conflict.second : conflict.first);
+  }
+  return robots;
+}
+
+}  // namespace
+
+Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& board) const {
+  const auto known = growth_.find({conflict.first, conflict.second});
+  Growth growth = known == growth_.end() ? Growth{} : known->second;
+  growth.taken_in.insert({conflict.first, conflict.second});
+  const Trade* trade = trade_of(conflict);
+  if (trade && trade->count >= kTradesToMerge) {
+    for (const RobotId robot : {conflict.first, conflict.second}) {
+      for (const CouplingSegment& segment : schedule_.coupling(robot)) {
+        if (segment.to < trade->from || segment.from > trade->until) continue;
+        growth.taken_in.insert(segment.robots.begin(), segment.robots.end());
+      }
+    }
+  }
+  if (growth.attempts > 0) gather_crowd(conflict, board, growth);
+  return growth;
+}
+
+bool Adaptation::prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,
+                               const Resolution& resolution, const ConflictBoard& board) {
+  if (subproblem.is_crowd()) return false;
+  double delay = 0, worth = 0;
+  for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
+    delay += resolution.paths[i].end_time() - subproblem.tasks[i].to;
+    worth = std::max(worth, kOwnTimesForLocal * factory_.own_time(subproblem.tasks[i].robot));
+  }
+  if (delay <= worth) return false;
+  Growth& growth = growth_[{conflict.first, conflict.second}];
+  Growth as_crowd = growth;
+  as_crowd.taken_in.insert({conflict.first, conflict.second});
+  gather_crowd(conflict, board, as_crowd);
+  if (!as_crowd.crowd) return false;
+  ++growth.attempts;
+  return true;
+}
+
+const Adaptation::Trade* Adaptation::trade_of(const Conflict& conflict) const {
+  const auto found = trades_.find({conflict.first, conflict.second});
+  return found == trades_.end() || conflict.time > found->second.until ? nullptr : &found->second;
+}
+
+// Everyone in conflict with one of the team before a crowd's horizon. A crowd that pushes its
+// conflicts ahead of itself looks further ahead each time.
+void Adaptation::gather_crowd(const Conflict& conflict, const ConflictBoard& board,
+                              Growth& growth) const {
+  const Trade* trade = trade_of(conflict);
+  Growth as_crowd = growth;
+  as_crowd.crowd = true;
+  if (trade) as_crowd.window += trade->count / kTradesToMerge;
+  std::set<RobotId>& team = as_crowd.taken_in;
+  const double horizon = factory_.window(conflict, as_crowd).horizon;
+  for (std::size_t before = 0; before != team.size();) {
+    before = team.size();
+    for (const Conflict& other : board.conflicts()) {
+      if (other.time > horizon) break;
+      if (team.contains(other.first)) team.insert(other.second);
+      if (team.contains(other.second)) team.insert(other.first);
+    }
+  }
+  if (team.size() > kLocalTeam) growth = std::move(as_crowd);
+}
+
+void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subproblem) {
+  const Pair pair{conflict.first, conflict.second};
+  growth_.erase(pair);
+  Trade& trade = trades_[pair];
+  if (conflict.time > trade.until) trade = {};
+  ++trade.count;
+  trade.from = trade.count == 1 ? subproblem.from : std::min(trade.from, subproblem.from);
+  // What was left for after the horizon may come up right there.
+  const double beyond = subproblem.horizon - conflict.time;
+  trade.until = std::max(trade.until, subproblem.horizon + beyond);
+}
+
+bool Adaptation::grow(const Conflict& conflict, const Subproblem& subproblem,
+                      const std::vector<RobotId>& in_the_way, const ConflictBoard& board) {
+  Growth& growth = growth_[{conflict.first, conflict.second}];
+  ++growth.attempts;
+  growth.shortsighted = !growth.shortsighted && !subproblem.outsiders.empty();
+  if (growth.shortsighted) return true;
+  const bool is_crowd = subproblem.is_crowd();
+  const bool on_roadmaps = std::ranges::all_of(
+      subproblem.tasks, [&](const Task& task) { return factory_.uses_roadmap(task.robot); });
+  growth.to_the_end = !growth.to_the_end && on_roadmaps && !is_crowd;
+  if (growth.to_the_end) {
+    growth.shortsighted = !subproblem.outsiders.empty();
+    return true;
+  }
+  std::vector<RobotId> candidates;
+  if (is_crowd || subproblem.whole || growth.window % 2 == 1) {
+    candidates = entangled_with(subproblem, board);
+    candidates.insert(candidates.end(), in_the_way.begin(), in_the_way.end());
+  }
+  if (subproblem.whole) {
+    for (const Outsider& outsider : subproblem.outsiders) candidates.push_back(outsider.robot);
+  }
+  if (is_crowd) {
+    const std::size_t taken = take_in(candidates, subproblem.tasks.size() / 2, growth);
+    return grow_window(subproblem, growth) || taken > 0;
+  }
+  return take_in(candidates, kTakenInAtOnce, growth) > 0 || grow_window(subproblem, growth);
+}
+
+std::size_t Adaptation::take_in(const std::vector<RobotId>& candidates, std::size_t most,
+                                Growth& growth) {
+  std::size_t taken = 0;
+  for (const RobotId robot : candidates) {
+    if (taken == most) break;
+    if (growth.taken_in.insert(robot).second) ++taken;
+  }
+  robots_taken_in_ += taken;
+  return taken;
+}
+
+bool Adaptation::grow_window(const Subproblem& subproblem, Growth& growth) {
+  if (subproblem.whole) return false;
+  ++growth.window;
+  ++windows_grown_;
+  return true;
+}
+
+}  // namespace accord

@@ -1,0 +1,69 @@
+// AdaptSubProblem of the ARC paper: how large the next subproblem of a conflict is, given how the
+// earlier ones went. (Alg. 2, line 11, and "R' merges the involved robots", section IV-A)
+// Not thread safe.
+#pragma once
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/planning/conflict.h"
+#include "common/planning/schedule.h"
+#include "common/planning/subproblem.h"
+#include "coordinator/conflict_board.h"
+#include "coordinator/subproblem_factory.h"
+
+namespace accord {
+
+class Adaptation {
+ public:
+  // Both must outlive this.
+  Adaptation(const SubproblemFactory& factory, const Schedule& schedule)
+      : factory_(factory), schedule_(schedule) {}
+
+  // How far the conflict's subproblem has been grown. Where resolving the conflict has only brought
+  // it back, with all robots that earlier resolutions tied to it; where too many robots are
+  // entangled with it for local planning, with all of these, as a crowd.
+  Growth growth_of(const Conflict& conflict, const ConflictBoard& board) const;
+
+  // Whether the conflict's subproblem has only been solved at the cost of long delays where more
+  // robots are entangled, so that they should be planned together, as a crowd: the next one will.
+  bool prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,
+                     const Resolution& resolution, const ConflictBoard& board);
+
+  // The conflict's subproblem was solved and committed.
+  void note_resolved(const Conflict& conflict, const Subproblem& subproblem);
+
+  // The conflict's subproblem was exhausted: the next one is larger. `in_the_way`: outsiders that a
+  // solution without outsiders would have run into. False when nothing is left to grow.
+  bool grow(const Conflict& conflict, const Subproblem& subproblem,
+            const std::vector<RobotId>& in_the_way, const ConflictBoard& board);
+
+  std::uint64_t windows_grown() const { return windows_grown_; }
+  std::uint64_t robots_taken_in() const { return robots_taken_in_; }
+
+ private:
+  using Pair = std::pair<RobotId, RobotId>;
+
+  // Resolutions of a pair's conflicts that keep coming back at about the same time.
+  struct Trade {
+    unsigned count = 0;
+    double from = 0;   // s
+    double until = 0;  // s
+  };
+
+  const Trade* trade_of(const Conflict& conflict) const;
+  void gather_crowd(const Conflict& conflict, const ConflictBoard& board, Growth& growth) const;
+  std::size_t take_in(const std::vector<RobotId>& candidates, std::size_t most, Growth& growth);
+  bool grow_window(const Subproblem& subproblem, Growth& growth);
+
+  const SubproblemFactory& factory_;
+  const Schedule& schedule_;
+  std::map<Pair, Growth> growth_;
+  std::map<Pair, Trade> trades_;
+  std::uint64_t windows_grown_ = 0;
+  std::uint64_t robots_taken_in_ = 0;
+};
+
+}  // namespace accord

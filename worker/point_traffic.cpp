@@ -1,0 +1,110 @@
+#include "worker/point_traffic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace accord {
+namespace {
+
+std::uint64_t key_of(std::int64_t x, std::int64_t y) {
+  return (static_cast<std::uint64_t>(x) << 32U) ^ (static_cast<std::uint64_t>(y) & 0xffffffffU);
+}
+
+Vec3 end_of(const PointTraffic::Piece& piece) {
+  if (std::isinf(piece.t1)) return piece.position;
+  return piece.position + (piece.t1 - piece.t0) * piece.velocity;
+}
+
+}  // namespace
+
+Vec3 to_point(ConfigurationView q) {
+  return {q[0], q[1], q.size() > 2 ? q[2] : 0.0};
+}
+
+// The cells (in x and y) that a segment comes within `margin` of, and some more.
+template <class Visit>
+void PointTraffic::for_each_cell(const Vec3& a, const Vec3& b, double margin,
+                                 const Visit& visit) const {
+  const auto index = [this](double x) { return static_cast<std::int64_t>(std::floor(x / cell_)); };
+  const Vec3& low = a[1] <= b[1] ? a : b;
+  const Vec3& high = a[1] <= b[1] ? b : a;
+  const double rise = high[1] - low[1];
+  for (std::int64_t row = index(low[1] - margin); row <= index(high[1] + margin); ++row) {
+    // The part of the segment that comes near this row.
+    const double bottom = static_cast<double>(row) * cell_ - margin;
+    const double top = static_cast<double>(row + 1) * cell_ + margin;
+    double s0 = 0, s1 = 1;
+    if (rise > 0) {
+      s0 = std::clamp((bottom - low[1]) / rise, 0.0, 1.0);
+      s1 = std::clamp((top - low[1]) / rise, 0.0, 1.0);
+    }
+    const double x0 = low[0] + s0 * (high[0] - low[0]), x1 = low[0] + s1 * (high[0] - low[0]);
+    const std::int64_t last = index(std::max(x0, x1) + margin);
+    for (std::int64_t column = index(std::min(x0, x1) - margin); column <= last; ++column) {
+      visit(key_of(column, row));
+    }
+  }
+}
+
+void PointTraffic::add(std::uint32_t owner, const Trajectory& path, double radius, double from,
+                       double until) {
+  std::vector<Id>& mine = by_owner_[owner];
+  for (std::size_t i = path.segment_at(from); i < path.size(); ++i) {
+    if (path.time(i) >= until) continue;
+    const bool last = i + 1 == path.size();
+    Piece piece{path.time(i), until, to_point(path.configuration(i)), Vec3::Zero(), radius};
+    if (!last) {
+      piece.velocity =
+          (to_point(path.configuration(i + 1)) - piece.position) / (path.time(i + 1) - piece.t0);
+      piece.t1 = std::min(until, path.time(i + 1));
+    }
+    Id id = static_cast<Id>(pieces_.size());
+    if (free_.empty()) {
+      pieces_.push_back(piece);
+    } else {
+      id = free_.back();
+      free_.pop_back();
+      pieces_[id] = piece;
+    }
+    mine.push_back(id);
+    file(id);
+  }
+}
+
+void PointTraffic::file(Id id) {
+  const Piece& piece = pieces_[id];
+  const Vec3 end = end_of(piece);
+  for_each_cell(piece.position, end, piece.radius + room_,
+                [&](Key key) { cells_[key].push_back(id); });
+}
+
+void PointTraffic::remove(std::uint32_t owner) {
+  const auto found = by_owner_.find(owner);
+  if (found == by_owner_.end()) return;
+  for (const Id id : found->second) {
+    const Piece& piece = pieces_[id];
+    const Vec3 end = end_of(piece);
+    for_each_cell(piece.position, end, piece.radius + room_,
+                  [&](Key key) { std::erase(cells_[key], id); });
+    free_.push_back(id);
+  }
+  by_owner_.erase(found);
+}
+
+void PointTraffic::near(const Vec3& a, const Vec3& b, double since,
+                        std::vector<const Piece*>& out) const {
+  seen_in_.resize(pieces_.size(), call_);
+  ++call_;
+  out.clear();
+  for_each_cell(a, b, 0, [&](Key key) {
+    const auto cell = cells_.find(key);
+    if (cell == cells_.end()) return;
+    for (const Id id : cell->second) {
+      if (seen_in_[id] == call_) continue;
+      seen_in_[id] = call_;
+      if (pieces_[id].t1 > since) out.push_back(&pieces_[id]);
+    }
+  });
+}
+
+}  // namespace accord
