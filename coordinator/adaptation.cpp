@@ -34,38 +34,38 @@ std::vector<RobotId> entangled_with(const Subproblem& subproblem, const Conflict
 }  // namespace
 
 Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& board) const {
-  const auto known = growth_.find({conflict.first, conflict.second});
-  Growth growth = known == growth_.end() ? Growth{} : known->second;
-  growth.taken_in.insert({conflict.first, conflict.second});
+  const auto known = stages_.find({conflict.first, conflict.second});
+  Stages stages = known == stages_.end() ? Stages{} : known->second;
   const Trade* trade = trade_of(conflict);
   if (trade && trade->count >= kTradesToMerge) {
     for (const RobotId robot : {conflict.first, conflict.second}) {
       for (const CouplingSegment& segment : schedule_.coupling(robot)) {
         if (segment.to < trade->from || segment.from > trade->until) continue;
-        growth.taken_in.insert(segment.robots.begin(), segment.robots.end());
+        stages.local.taken_in.insert(segment.robots.begin(), segment.robots.end());
       }
     }
   }
-  if (growth.attempts > 0) gather_crowd(conflict, board, growth);
-  return growth;
+  stages.local.taken_in.insert({conflict.first, conflict.second});
+  if (stages.crowd_is_spent) return stages.local;
+  if (!stages.wants_crowd && stages.local.taken_in.size() <= kLocalTeam) return stages.local;
+  stages.crowd.taken_in.insert(stages.local.taken_in.begin(), stages.local.taken_in.end());
+  return crowd_of(conflict, std::move(stages.crowd), board);
 }
 
 bool Adaptation::prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,
                                const Resolution& resolution, const ConflictBoard& board) {
-  if (subproblem.is_crowd()) return false;
+  Stages& stages = stages_[{conflict.first, conflict.second}];
+  if (subproblem.is_crowd() || stages.crowd_is_spent) return false;
   double delay = 0, worth = 0;
   for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
     delay += resolution.paths[i].end_time() - subproblem.tasks[i].to;
     worth = std::max(worth, kOwnTimesForLocal * factory_.own_time(subproblem.tasks[i].robot));
   }
   if (delay <= worth) return false;
-  Growth& growth = growth_[{conflict.first, conflict.second}];
-  Growth as_crowd = growth;
-  as_crowd.taken_in.insert({conflict.first, conflict.second});
-  gather_crowd(conflict, board, as_crowd);
-  if (!as_crowd.crowd) return false;
-  ++growth.attempts;
-  return true;
+  stages.crowd.taken_in.insert({conflict.first, conflict.second});
+  stages.has_local = crowd_of(conflict, stages.crowd, board).taken_in.size() > kLocalTeam;
+  stages.wants_crowd = stages.wants_crowd || stages.has_local;
+  return stages.has_local;
 }
 
 const Adaptation::Trade* Adaptation::trade_of(const Conflict& conflict) const {
@@ -75,14 +75,12 @@ const Adaptation::Trade* Adaptation::trade_of(const Conflict& conflict) const {
 
 // Everyone in conflict with one of the team before a crowd's horizon. A crowd that pushes its
 // conflicts ahead of itself looks further ahead each time.
-void Adaptation::gather_crowd(const Conflict& conflict, const ConflictBoard& board,
-                              Growth& growth) const {
-  const Trade* trade = trade_of(conflict);
-  Growth as_crowd = growth;
-  as_crowd.crowd = true;
-  if (trade) as_crowd.window += trade->count / kTradesToMerge;
-  std::set<RobotId>& team = as_crowd.taken_in;
-  const double horizon = factory_.window(conflict, as_crowd).horizon;
+Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
+                            const ConflictBoard& board) const {
+  growth.crowd = true;
+  if (const Trade* trade = trade_of(conflict)) growth.window += trade->count / kTradesToMerge;
+  std::set<RobotId>& team = growth.taken_in;
+  const double horizon = factory_.window(conflict, growth).horizon;
   for (std::size_t before = 0; before != team.size();) {
     before = team.size();
     for (const Conflict& other : board.conflicts()) {
@@ -91,12 +89,12 @@ void Adaptation::gather_crowd(const Conflict& conflict, const ConflictBoard& boa
       if (team.contains(other.second)) team.insert(other.first);
     }
   }
-  if (team.size() > kLocalTeam) growth = std::move(as_crowd);
+  return growth;
 }
 
 void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subproblem) {
   const Pair pair{conflict.first, conflict.second};
-  growth_.erase(pair);
+  stages_.erase(pair);
   Trade& trade = trades_[pair];
   if (conflict.time > trade.until) trade = {};
   ++trade.count;
@@ -108,31 +106,46 @@ void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subpr
 
 bool Adaptation::grow(const Conflict& conflict, const Subproblem& subproblem,
                       const std::vector<RobotId>& in_the_way, const ConflictBoard& board) {
-  Growth& growth = growth_[{conflict.first, conflict.second}];
+  Stages& stages = stages_[{conflict.first, conflict.second}];
+  std::vector<RobotId> candidates = entangled_with(subproblem, board);
+  candidates.insert(candidates.end(), in_the_way.begin(), in_the_way.end());
+  if (subproblem.is_crowd()) {
+    stages.crowd_is_spent = stages.has_local || !grow_crowd(subproblem, candidates, stages.crowd);
+    return true;
+  }
+  // Those who stand by may make way where going around them has failed.
+  if (stages.local.shortsighted && !subproblem.outsiders.empty()) stages.wants_crowd = true;
+  return grow_local(subproblem, candidates, stages.local);
+}
+
+bool Adaptation::grow_local(const Subproblem& subproblem, const std::vector<RobotId>& candidates,
+                            Growth& growth) {
   ++growth.attempts;
   growth.shortsighted = !growth.shortsighted && !subproblem.outsiders.empty();
   if (growth.shortsighted) return true;
-  const bool is_crowd = subproblem.is_crowd();
   const bool on_roadmaps = std::ranges::all_of(
       subproblem.tasks, [&](const Task& task) { return factory_.uses_roadmap(task.robot); });
-  growth.to_the_end = !growth.to_the_end && on_roadmaps && !is_crowd;
+  growth.to_the_end = !growth.to_the_end && on_roadmaps;
   if (growth.to_the_end) {
     growth.shortsighted = !subproblem.outsiders.empty();
     return true;
   }
-  std::vector<RobotId> candidates;
-  if (is_crowd || subproblem.whole || growth.window % 2 == 1) {
-    candidates = entangled_with(subproblem, board);
-    candidates.insert(candidates.end(), in_the_way.begin(), in_the_way.end());
-  }
   if (subproblem.whole) {
-    for (const Outsider& outsider : subproblem.outsiders) candidates.push_back(outsider.robot);
+    std::vector<RobotId> everyone = candidates;
+    for (const Outsider& outsider : subproblem.outsiders) everyone.push_back(outsider.robot);
+    return take_in(everyone, kTakenInAtOnce, growth) > 0;
   }
-  if (is_crowd) {
-    const std::size_t taken = take_in(candidates, subproblem.tasks.size() / 2, growth);
-    return grow_window(subproblem, growth) || taken > 0;
-  }
-  return take_in(candidates, kTakenInAtOnce, growth) > 0 || grow_window(subproblem, growth);
+  if (growth.window % 2 == 1 && take_in(candidates, kTakenInAtOnce, growth) > 0) return true;
+  return grow_window(subproblem, growth);
+}
+
+bool Adaptation::grow_crowd(const Subproblem& subproblem, const std::vector<RobotId>& candidates,
+                            Growth& growth) {
+  ++growth.attempts;
+  growth.shortsighted = !growth.shortsighted && !subproblem.outsiders.empty();
+  if (growth.shortsighted) return true;
+  const std::size_t taken = take_in(candidates, subproblem.tasks.size() / 2, growth);
+  return grow_window(subproblem, growth) || taken > 0;
 }
 
 std::size_t Adaptation::take_in(const std::vector<RobotId>& candidates, std::size_t most,

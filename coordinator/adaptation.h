@@ -53,14 +53,27 @@ class Adaptation {
     double until = 0;  // s
   };
 
+  // A conflict's subproblem as a local one and as a crowd's, each grown on its own.
+  struct Stages {
+    Growth local;
+    Growth crowd;
+    bool wants_crowd = false;
+    bool crowd_is_spent = false;  // has been tried as far as it goes
+    bool has_local = false;       // a local solution, but a costly one
+  };
+
   const Trade* trade_of(const Conflict& conflict) const;
-  void gather_crowd(const Conflict& conflict, const ConflictBoard& board, Growth& growth) const;
+  Growth crowd_of(const Conflict& conflict, Growth growth, const ConflictBoard& board) const;
+  bool grow_local(const Subproblem& subproblem, const std::vector<RobotId>& candidates,
+                  Growth& growth);
+  bool grow_crowd(const Subproblem& subproblem, const std::vector<RobotId>& candidates,
+                  Growth& growth);
   std::size_t take_in(const std::vector<RobotId>& candidates, std::size_t most, Growth& growth);
   bool grow_window(const Subproblem& subproblem, Growth& growth);
 
   const SubproblemFactory& factory_;
   const Schedule& schedule_;
-  std::map<Pair, Growth> growth_;
+  std::map<Pair, Stages> stages_;
   std::map<Pair, Trade> trades_;
   std::uint64_t windows_grown_ = 0;
   std::uint64_t robots_taken_in_ = 0;

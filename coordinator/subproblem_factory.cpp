@@ -79,7 +79,9 @@ double SubproblemFactory::own_time(RobotId id) const {
 SubproblemFactory::Window SubproblemFactory::window(const Conflict& conflict,
                                                     const Growth& growth) const {
   double unit = std::max(own_time(conflict.first), own_time(conflict.second));
-  for (const RobotId robot : growth.taken_in) unit = std::max(unit, own_time(robot));
+  if (!growth.crowd) {
+    for (const RobotId robot : growth.taken_in) unit = std::max(unit, own_time(robot));
+  }
   unit *= std::ldexp(1.0, static_cast<int>(growth.window));
   Window out;
   if (growth.crowd) {

@@ -168,11 +168,14 @@ class Repair {
     const std::size_t robots = subproblem_.tasks.size();
     keep_what_is_clear();
     for (const std::size_t i : waiting_) settled_.await(i);
+    const std::uint64_t begin = effort_.expansions;
     // A robot that has made way so often is caught in a jam.
     const unsigned most =
         kYieldsPerOrder * static_cast<unsigned>(subproblem_.limits.priority_orders);
     for (std::size_t left = robots * subproblem_.limits.priority_orders; !waiting_.empty();) {
       if (left-- == 0 || stop_ || std::ranges::max(yielded_) > most) return false;
+      if (effort_.expansions > begin + robots * subproblem_.limits.query_expansions / 4)
+        return false;
       const std::size_t i = waiting_.front();
       waiting_.pop_front();
       auto path = plan(i);
