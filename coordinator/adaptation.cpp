@@ -17,6 +17,9 @@ constexpr double kOwnTimesForLocal = 3.0;
 // crowd.
 constexpr std::size_t kLocalTeam = 4;
 
+// So many mobile robots around a team that cannot get by them are a crowd with it.
+constexpr std::ptrdiff_t kBystanders = 2;
+
 // Robots outside the team that are in conflict with one of it in the window: their paths have to
 // change in any case. Earliest first.
 std::vector<RobotId> entangled_with(const Subproblem& subproblem, const ConflictBoard& board) {
@@ -49,7 +52,8 @@ Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& boar
   if (stages.crowd_is_spent) return stages.local;
   if (!stages.wants_crowd && stages.local.taken_in.size() <= kLocalTeam) return stages.local;
   stages.crowd.taken_in.insert(stages.local.taken_in.begin(), stages.local.taken_in.end());
-  return crowd_of(conflict, std::move(stages.crowd), board);
+  Growth crowd = crowd_of(conflict, std::move(stages.crowd), board);
+  return stages.has_bystanders || crowd.taken_in.size() > kLocalTeam ? crowd : stages.local;
 }
 
 bool Adaptation::prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,
@@ -113,8 +117,12 @@ bool Adaptation::grow(const Conflict& conflict, const Subproblem& subproblem,
     stages.crowd_is_spent = stages.has_local || !grow_crowd(subproblem, candidates, stages.crowd);
     return true;
   }
-  // Those who stand by may make way where going around them has failed.
-  if (stages.local.shortsighted && !subproblem.outsiders.empty()) stages.wants_crowd = true;
+  // Those who stand by may make way where going around them has failed. Arms cannot leave.
+  const auto bystanders = std::ranges::count_if(
+      subproblem.outsiders,
+      [&](const Outsider& outsider) { return factory_.is_mobile(outsider.robot); });
+  stages.wants_crowd = true;
+  stages.has_bystanders = bystanders >= kBystanders;
   return grow_local(subproblem, candidates, stages.local);
 }
 

@@ -58,6 +58,7 @@ class Adaptation {
     Growth local;
     Growth crowd;
     bool wants_crowd = false;
+    bool has_bystanders = false;
     bool crowd_is_spent = false;  // has been tried as far as it goes
     bool has_local = false;       // a local solution, but a costly one
   };

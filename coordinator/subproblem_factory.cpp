@@ -59,6 +59,10 @@ bool SubproblemFactory::uses_roadmap(RobotId robot) const {
   return roadmap_levels_.contains(world_.scene().robot(robot).model.get());
 }
 
+bool SubproblemFactory::is_mobile(RobotId robot) const {
+  return world_.scene().robot(robot).model->translations() > 0;
+}
+
 double SubproblemFactory::body_size(RobotId id) const {
   if (const auto radius = world_.radius(id)) return 2 * *radius;
   const Robot& robot = world_.scene().robot(id);

@@ -50,6 +50,9 @@ class SubproblemFactory {
   };
   Window window(const Conflict& conflict, const Growth& growth) const;
 
+  // Whether a robot can leave where it is, as arms cannot.
+  bool is_mobile(RobotId robot) const;
+
   // Time (s) in which a robot moves by about its own size: the unit of windows.
   double own_time(RobotId robot) const;
 
