@@ -236,6 +236,17 @@ class Repair {
     return path;
   }
 
+  // Around nobody but outsiders, and these no longer than the team avoids its own: whoever has
+  // parked in the only way will be asked to move when it comes to it.
+  std::optional<Trajectory> plan_past_all(std::size_t i) {
+    return plan(i, [&](Team& team) {
+      for (const Outsider& outsider : subproblem_.outsiders) {
+        team.avoid(outsider.robot, outsider.path,
+                   std::min(outsider.until, subproblem_.clear_until));
+      }
+    });
+  }
+
   template <class Avoid>
   std::optional<Trajectory> plan(std::size_t i, const Avoid& avoid) {
     const Task& task = subproblem_.tasks[i];
@@ -261,7 +272,7 @@ class Repair {
     for (unsigned times = 1; !path && times < 2 * most + 2; times *= 2) {
       path = plan_around_yielding(i, times);
     }
-    if (!path) path = plan(i, [&](Team& team) { team.avoid_outsiders(subproblem_); });
+    if (!path) path = plan_past_all(i);
     if (!path) return path;
     for (std::size_t j = 0; j < subproblem_.tasks.size(); ++j) {
       if (!settled_.stands(j) || !settled_.touches(i, *path, j)) continue;
