@@ -26,8 +26,8 @@ constexpr double kForesight = 2.0;
 constexpr double kShortForesight = 0.4;
 // Half windows' counterpart for crowds, in robots' own times: where the window begins before the
 // conflict, how long everyone is avoided, and how much later goals are to be reached.
-constexpr double kCrowdHindsight = 4.0;
-constexpr double kCrowdForesight = 12.0;
+constexpr double kCrowdHindsight = 3.0;
+constexpr double kCrowdForesight = 14.0;
 constexpr double kCrowdRoom = 12.0;
 // Cutting closer to a waypoint than this would leave a sliver of a motion.
 constexpr double kSliver = 1e-5;  // s
