@@ -206,7 +206,7 @@ void Arc::log(const Job& job) const {
   }
   const Effort& effort = job.resolution.effort;
   spdlog::debug(
-      "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders, {}: {} "
+      "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders: {}: {} "
       "({} searches, {} expansions, {} samples)",
       job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
       job.subproblem.outsiders.size(), robots,

@@ -79,6 +79,16 @@ class PlanAndVerify(SystemTest):
             self.assertIn(words, result.stdout)
         self.assertEqual("", result.stderr, "no progress unless on a terminal")
 
+    def test_the_log_tells_of_each_subproblem_on_stderr(self):
+        scene = self.scene()
+        options = ("plan", scene, "-o", self.folder / "plan.json", "--quiet", "--log")
+        told = accord(*options, "debug")
+        self.assert_exit(SOLVED, told)
+        self.assertEqual(told.stdout, "")
+        self.assertRegex(told.stderr, r"conflict at [0-9.]+ s, window .*: a, b: [a-z-]+ \(")
+        self.assertEqual(accord(*options, "warning").stderr, "")
+        self.assert_exit(USAGE, accord(*options, "loudly"))
+
     def test_json_is_the_plan_that_is_written(self):
         scene = self.scene()
         path = self.folder / "plan.json"

@@ -51,7 +51,7 @@ std::string contract_breach(const CollisionWorld& world, const Subproblem& subpr
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (earliest_contact(world, tasks[i].robot, path, tasks[j].robot, resolution.paths[j],
-                           subproblem.from, resolution.end)) {
+                           subproblem.from, std::min(resolution.end, subproblem.clear_until))) {
         return "two robots of the team meet";
       }
     }

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "common/geometry/tolerances.h"
 #include "common/planning/region.h"
@@ -90,6 +91,20 @@ Problem arms_that_change_sides() {
                        2);
 }
 
+// Many discs that change places across a circle, and look 9 s ahead.
+Problem crowd() {
+  testing::SceneBuilder builder(-8, -8, 8, 8);
+  for (int i = 0; i < 11; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 11;
+    const double x = 6 * std::cos(angle), y = 6 * std::sin(angle);
+    builder.disk(0.4, {x, y}, {-x, -y});
+  }
+  Problem problem = whole_problem(builder.build(), 10);
+  problem.subproblem.clear_until = problem.subproblem.horizon = 9;
+  problem.subproblem.outsiders.front().until = 9;
+  return problem;
+}
+
 using Case = std::tuple<std::string, Problem (*)()>;
 
 class SolverContract : public ::testing::TestWithParam<Case> {
@@ -132,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::ValuesIn(local_solver_names()),
                        ::testing::Values(crossing_discs, swapping_discs_and_a_passer_by,
                                          discs_in_a_corridor_with_a_pocket, swapping_carts,
-                                         arms_that_change_sides)));
+                                         arms_that_change_sides, crowd)));
 
 // The suite must be able to fail: a solver that hands the guides back is caught.
 TEST(SolverContractItself, CatchesASolverThatIgnoresConflicts) {
@@ -156,6 +171,7 @@ TEST(Hierarchy, EachLevelSolvesWhatTheOnesBeforeItCannot) {
   EXPECT_EQ(solver_of(crossing_discs), "prioritized-query");
   EXPECT_EQ(solver_of(swapping_discs_and_a_passer_by), "decoupled-prm");
   EXPECT_EQ(solver_of(discs_in_a_corridor_with_a_pocket), "composite-prm");
+  EXPECT_EQ(solver_of(crowd), "prioritized-query");
 }
 
 }  // namespace
