@@ -81,19 +81,18 @@ TEST_F(PrioritizedRepair, LeavesThoseAloneThatNobodyMeets) {
   EXPECT_EQ(found.paths[2], subproblem_.tasks[2].guide);
 }
 
-// The first two can only get past the third when it leaves its place for a moment.
-TEST_F(PrioritizedRepair, AsksRobotsToMakeWay) {
-  team_of(testing::SceneBuilder(-6, -1, 6, 3)
-              .box(-6, 0.6, -1.2, 3)
-              .box(1.2, 0.6, 6, 3)
-              .disk(0.5, {-5, 0}, {3.5, 0})
-              .disk(0.5, {-3, 0}, {5, 0})
-              .disk(0.5, {0, 0}, {0.01, 0})
+// The second is in a dead end that the first, planned before it, is about to close.
+TEST_F(PrioritizedRepair, AsksARobotThatIsInTheOnlyWayToMakeWay) {
+  team_of(testing::SceneBuilder(-8, -1, 4, 3)
+              .box(-4, 0.6, 4, 3)
+              .disk(0.5, {-3, 0}, {3, 0})
+              .disk(0.5, {1.5, 0}, {-6, 0})
               .build());
   const Resolution found = repair();
   ASSERT_TRUE(found.solved);
   EXPECT_EQ(breach(found), "");
-  EXPECT_GT(found.paths[2].end_time(), 1);
+  EXPECT_NEAR(found.paths[1].end_time(), 7.5, 1e-3);
+  EXPECT_GT(found.paths[0].end_time(), 8);
 }
 
 TEST_F(PrioritizedRepair, GivesUpWhereNobodyCanMakeWay) {
