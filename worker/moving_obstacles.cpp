@@ -84,8 +84,8 @@ void MovingObstacles::add_points(const Trajectory& path, double distance, double
   for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
     if (path.time(i) >= until) continue;
     const bool last = i + 1 == path.size();
-    PointPiece piece{path.time(i), until, to_point(path.configuration(i)),
-                     Vec3::Zero(), distance,  distance * distance};
+    PointPiece piece{path.time(i), until,    to_point(path.configuration(i)),
+                     Vec3::Zero(), distance, distance * distance};
     if (!last) {
       piece.velocity =
           (to_point(path.configuration(i + 1)) - piece.position) / (path.time(i + 1) - piece.t0);

@@ -26,8 +26,8 @@ class RobotRoadmap {
   RobotRoadmap(const CollisionWorld& world, RobotId robot);
   ~RobotRoadmap();
 
-  // The first level whose nodes lie no further apart than a mobile robot is large, so that there are
-  // places to make way to wherever it is; the last level where none does, the first for arms.
+  // The first level whose nodes lie no further apart than a mobile robot is large, so that there
+  // are places to make way to wherever it is; the last level where none does, the first for arms.
   std::size_t dense_level() const { return dense_level_; }
 
   // The shortest path (in time) from start to goal on the roadmap of `level` (from 0), as
