@@ -17,15 +17,17 @@ constexpr std::size_t kTriesPerSample = 10;
 
 void join_ends(const Team& team, LocalRoadmap& roadmap) {
   std::vector<LocalRoadmap::Node> near;
-  for (const LocalRoadmap::Node end : {DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal}) {
-    const auto all = static_cast<LocalRoadmap::Node>(roadmap.size());
-    roadmap.nearest(team, roadmap.configuration(end), kNeighbours, all, near);
+  for (const LocalRoadmap::Node end :
+       {DecoupledRoadmaps::start(roadmap), DecoupledRoadmaps::goal(roadmap)}) {
+    roadmap.nearest(team, roadmap.configuration(end), kNeighbours, roadmap.first_own(), near);
     for (const LocalRoadmap::Node node : near) roadmap.connect(team, end, node);
   }
 }
 
 void lay_guide(const Team& team, const Task& task, LocalRoadmap& roadmap) {
-  roadmap.connect(team, DecoupledRoadmaps::kStart, DecoupledRoadmaps::kGoal);
+  const LocalRoadmap::Node goal = DecoupledRoadmaps::goal(roadmap);
+  LocalRoadmap::Node before = DecoupledRoadmaps::start(roadmap);
+  roadmap.connect(team, before, goal);
   if (task.guide.empty()) return;
   std::vector<double> times = task.guide.times();
   const double from = task.guide.start_time(), to = task.guide.end_time();
@@ -34,7 +36,6 @@ void lay_guide(const Team& team, const Task& task, LocalRoadmap& roadmap) {
   }
   std::ranges::sort(times);
   Configuration q(team.dof());
-  LocalRoadmap::Node before = DecoupledRoadmaps::kStart;
   for (const double t : times) {
     task.guide.at(t, q);
     const LocalRoadmap::Node node = roadmap.add(team, q);
@@ -42,7 +43,7 @@ void lay_guide(const Team& team, const Task& task, LocalRoadmap& roadmap) {
     if (node != before) roadmap.connect_nearest(team, node, 4);
     before = node;
   }
-  roadmap.connect(team, before, DecoupledRoadmaps::kGoal);
+  roadmap.connect(team, before, goal);
 }
 
 }  // namespace
@@ -54,25 +55,28 @@ LocalRoadmap& DecoupledRoadmaps::of(std::size_t task) {
   std::optional<Entry>& entry = entries_[task];
   if (entry && entry->samples == samples_wanted_) return entry->roadmap;
   const Team team(workspace_.world(), {subproblem_.tasks[task].robot}, 0);
-  if (!entry) {
-    entry.emplace(Entry{LocalRoadmap(team)});
-    build(team, subproblem_.tasks[task], entry->roadmap);
-  }
+  if (!entry) entry.emplace(Entry{build(team, subproblem_.tasks[task])});
   if (entry->samples < samples_wanted_) sample(team, subproblem_.tasks[task], *entry);
   return entry->roadmap;
 }
 
-void DecoupledRoadmaps::build(const Team& team, const Task& task, LocalRoadmap& roadmap) const {
+LocalRoadmap DecoupledRoadmaps::build(const Team& team, const Task& task) const {
+  const RobotRoadmap& own = workspace_.roadmap(task.robot);
+  const SharedRoadmap* base = nullptr;
+  if (subproblem_.is_crowd()) {
+    base = &own.dense();
+  } else if (task.roadmap_level >= 0) {
+    base = &own.level(static_cast<std::size_t>(task.roadmap_level));
+  }
+  // Motions of discs and balls are proved in closed form.
+  const bool is_point = workspace_.world().radius(task.robot).has_value();
+  LocalRoadmap roadmap =
+      base ? LocalRoadmap(team, *base, task.region, is_point) : LocalRoadmap(team);
   roadmap.add(team, task.start, false);
   roadmap.add(team, task.goal, false);
-  const RobotRoadmap& own = workspace_.roadmap(task.robot);
-  int level = task.roadmap_level;
-  if (subproblem_.is_crowd()) level = std::max(level, static_cast<int>(own.dense_level()));
-  if (level >= 0) {
-    own.copy_into(static_cast<std::size_t>(level), task.region, team, roadmap);
-    join_ends(team, roadmap);
-  }
+  if (base) join_ends(team, roadmap);
   lay_guide(team, task, roadmap);
+  return roadmap;
 }
 
 void DecoupledRoadmaps::sample(const Team& team, const Task& task, Entry& entry) {

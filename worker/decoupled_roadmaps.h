@@ -16,8 +16,9 @@ namespace accord {
 
 class DecoupledRoadmaps {
  public:
-  static constexpr LocalRoadmap::Node kStart = 0;
-  static constexpr LocalRoadmap::Node kGoal = 1;
+  // A robot's start and goal in its roadmap.
+  static LocalRoadmap::Node start(const LocalRoadmap& roadmap) { return roadmap.first_own(); }
+  static LocalRoadmap::Node goal(const LocalRoadmap& roadmap) { return roadmap.first_own() + 1; }
 
   DecoupledRoadmaps(const Workspace& workspace, const Subproblem& subproblem);
 
@@ -37,7 +38,7 @@ class DecoupledRoadmaps {
     std::uint64_t next_sample = 0;  // index into the robot's Halton sequence
   };
 
-  void build(const Team& team, const Task& task, LocalRoadmap& roadmap) const;
+  LocalRoadmap build(const Team& team, const Task& task) const;
   void sample(const Team& team, const Task& task, Entry& entry);
 
   const Workspace& workspace_;

@@ -1,8 +1,6 @@
 #include "worker/local_roadmap.h"
 
 #include <algorithm>
-#include <limits>
-#include <queue>
 
 namespace accord {
 namespace {
@@ -13,31 +11,61 @@ constexpr double kSamePlace = 1e-4;
 
 }  // namespace
 
+LocalRoadmap::LocalRoadmap(const Team& team, const SharedRoadmap& base, const Region& region,
+                           bool prove_ahead)
+    : dof_(team.dof()),
+      base_(&base),
+      base_size_(base.size()),
+      base_edges_(base.edge_count()),
+      region_(region),
+      prove_ahead_(prove_ahead) {}
+
+bool LocalRoadmap::is_inside(ConfigurationView q) const {
+  for (std::size_t k = 0; k < dof_; ++k) {
+    if (q[k] < region_.lower[k] || q[k] > region_.upper[k]) return false;
+  }
+  return true;
+}
+
+std::span<const LocalRoadmap::Edge> LocalRoadmap::edges(Node node) const {
+  if (node >= base_size_) return adjacency_[node - base_size_];
+  const auto joined = base_joins_.find(node);
+  return joined == base_joins_.end() ? base_->edges(node) : joined->second;
+}
+
+std::vector<LocalRoadmap::Edge>& LocalRoadmap::own_edges(Node node) {
+  if (node >= base_size_) return adjacency_[node - base_size_];
+  const auto [joined, is_new] = base_joins_.try_emplace(node);
+  if (is_new) {
+    const auto edges = base_->edges(node);
+    joined->second.assign(edges.begin(), edges.end());
+  }
+  return joined->second;
+}
+
 LocalRoadmap::Node LocalRoadmap::add(const Team& team, ConfigurationView q, bool reuse) {
   if (reuse) {
-    for (Node node = 0; node < size(); ++node) {
+    nearest(team, q, 1, static_cast<Node>(size()), neighbours_);
+    for (const Node node : neighbours_) {
       if (team.squared_distance(configuration(node), q) < kSamePlace * kSamePlace) return node;
     }
   }
   configurations_.insert(configurations_.end(), q.begin(), q.end());
   adjacency_.emplace_back();
-  times_to_.clear();
   return static_cast<Node>(size() - 1);
 }
 
 void LocalRoadmap::connect(const Team& team, Node a, Node b, bool proved) {
   if (a == b) return;
-  const auto leads_to_b = [b](const Edge& edge) { return edge.to == b; };
-  if (std::ranges::any_of(adjacency_[a], leads_to_b)) return;
+  if (std::ranges::any_of(edges(a), [b](const Edge& edge) { return edge.to == b; })) return;
   target_.resize(dof_);
   team.nearest_representation(configuration(a), configuration(b), target_);
   const double duration = team.duration(configuration(a), target_);
   if (duration <= 0) return;
-  const auto id = static_cast<std::uint32_t>(proofs_.size());
-  times_to_.clear();
+  const auto id = static_cast<std::uint32_t>(base_edges_ + proofs_.size());
   proofs_.push_back(proved ? Proof::kFree : Proof::kUnknown);
-  adjacency_[a].push_back({b, id, duration});
-  adjacency_[b].push_back({a, id, duration});
+  own_edges(a).push_back({b, id, duration});
+  own_edges(b).push_back({a, id, duration});
 }
 
 void LocalRoadmap::connect_nearest(const Team& team, Node node, std::size_t k) {
@@ -48,9 +76,14 @@ void LocalRoadmap::connect_nearest(const Team& team, Node node, std::size_t k) {
 void LocalRoadmap::nearest(const Team& team, ConfigurationView q, std::size_t k, Node limit,
                            std::vector<Node>& out) const {
   ranked_.clear();
-  for (Node node = 0; node < limit; ++node) {
+  const auto rank = [&](Node node) {
     ranked_.emplace_back(team.squared_distance(configuration(node), q), node);
+  };
+  if (base_ != nullptr) {
+    base_->nearest(q, k, base_near_);
+    std::ranges::for_each(base_near_, rank);
   }
+  for (Node node = base_size_; node < limit; ++node) rank(node);
   k = std::min(k, ranked_.size());
   std::partial_sort(ranked_.begin(), ranked_.begin() + static_cast<std::ptrdiff_t>(k),
                     ranked_.end());
@@ -58,30 +91,15 @@ void LocalRoadmap::nearest(const Team& team, ConfigurationView q, std::size_t k,
   for (std::size_t i = 0; i < k; ++i) out.push_back(ranked_[i].second);
 }
 
-const std::vector<double>& LocalRoadmap::times_to(Node goal) {
-  if (!times_to_.empty() && times_goal_ == goal) return times_to_;
-  times_goal_ = goal;
-  times_to_.assign(size(), std::numeric_limits<double>::infinity());
-  using Reached = std::pair<double, Node>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-  times_to_[goal] = 0;
-  open.emplace(0, goal);
-  while (!open.empty()) {
-    const auto [time, node] = open.top();
-    open.pop();
-    if (time > times_to_[node]) continue;
-    for (const Edge& edge : adjacency_[node]) {
-      const double through = time + edge.duration;
-      if (through >= times_to_[edge.to] || proofs_[edge.id] == Proof::kBlocked) continue;
-      times_to_[edge.to] = through;
-      open.emplace(through, edge.to);
-    }
-  }
-  return times_to_;
-}
-
 bool LocalRoadmap::is_free(const Team& team, Node from, const Edge& edge) {
-  Proof& proof = proofs_[edge.id];
+  if (edge.id < base_edges_) {
+    if (!is_inside(configuration(edge.to))) return false;
+    ++motion_checks_;
+    const bool free = base_->is_free(from, edge);
+    if (!free && !prove_ahead_) base_blocked_.insert(edge.id);
+    return free;
+  }
+  Proof& proof = proofs_[edge.id - base_edges_];
   if (proof == Proof::kUnknown) {
     ++motion_checks_;
     target_.resize(dof_);
@@ -90,6 +108,12 @@ bool LocalRoadmap::is_free(const Team& team, Node from, const Edge& edge) {
     proof = free ? Proof::kFree : Proof::kBlocked;
   }
   return proof == Proof::kFree;
+}
+
+bool LocalRoadmap::is_blocked(Node from, const Edge& edge) const {
+  if (edge.id >= base_edges_) return proofs_[edge.id - base_edges_] == Proof::kBlocked;
+  if (!is_inside(configuration(edge.to)) || !is_inside(configuration(from))) return true;
+  return prove_ahead_ ? !base_->is_free(from, edge) : base_blocked_.contains(edge.id);
 }
 
 }  // namespace accord

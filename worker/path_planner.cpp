@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "worker/roadmap_query.h"
+
 namespace accord {
 namespace {
 
@@ -35,12 +37,12 @@ Resolution plan_alone(const Workspace& workspace, const Subproblem& subproblem,
   resolution.solver = kStraight;
   ++resolution.effort.motion_checks;
   resolution.solved = world.motion_is_free(task.robot, task.start, goal);
-  const RobotRoadmap& roadmap = workspace.roadmap(task.robot);
   for (std::size_t level = 0; !resolution.solved && level < RobotRoadmap::kLevels && !stop;
        ++level) {
     resolution.solver = kRoadmap;
     resolution.roadmap_level = static_cast<int>(level);
-    auto found = roadmap.query(level, task.start, task.goal, resolution.effort);
+    auto found = shortest_path(workspace.roadmap(task.robot).level(level), task.start, task.goal,
+                               resolution.effort);
     if (!found) continue;
     path = std::move(*found);
     shorten_alone(world, task.robot, subproblem.seed, path, resolution.effort);

@@ -252,14 +252,15 @@ class Repair {
     const Task& task = subproblem_.tasks[i];
     Team team(world_, {task.robot}, subproblem_.from);
     avoid(team);
-    const SearchRequest request{DecoupledRoadmaps::kStart,
-                                DecoupledRoadmaps::kGoal,
+    LocalRoadmap& roadmap = roadmaps_.of(i);
+    const SearchRequest request{DecoupledRoadmaps::start(roadmap),
+                                DecoupledRoadmaps::goal(roadmap),
                                 subproblem_.from,
                                 hold_until(subproblem_, task),
                                 subproblem_.limits.query_expansions,
                                 subproblem_.limits.query_checks};
     ++effort_.searches;
-    auto found = safe_interval_search(team, roadmaps_.of(i), request, stop_, effort_.expansions);
+    auto found = safe_interval_search(team, roadmap, request, stop_, effort_.expansions);
     if (found) shorten(team, request, *found, stop_, effort_);
     return found;
   }

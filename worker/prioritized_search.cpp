@@ -46,15 +46,15 @@ class PrioritizedSearch {
       for (std::size_t before = 0; before < rank; ++before) {
         team.avoid(subproblem_.tasks[order[before]].robot, onwards[before]);
       }
-      const SearchRequest request{DecoupledRoadmaps::kStart,
-                                  DecoupledRoadmaps::kGoal,
+      LocalRoadmap& roadmap = roadmaps_.of(order[rank]);
+      const SearchRequest request{DecoupledRoadmaps::start(roadmap),
+                                  DecoupledRoadmaps::goal(roadmap),
                                   subproblem_.from,
                                   hold_until(subproblem_, task),
                                   subproblem_.limits.query_expansions,
                                   subproblem_.limits.query_checks};
       ++out.effort.searches;
-      auto found = safe_interval_search(team, roadmaps_.of(order[rank]), request, stop,
-                                        out.effort.expansions);
+      auto found = safe_interval_search(team, roadmap, request, stop, out.effort.expansions);
       if (!found) {
         stuck_ = rank;
         return false;

@@ -1,9 +1,12 @@
 #include "worker/safe_interval_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <vector>
+
+#include "worker/times_to_goal.h"
 
 namespace accord {
 namespace {
@@ -45,7 +48,7 @@ class Search {
         checks_end_(team.checks() + request.checks),
         first_(roadmap.size(), kNone),
         count_(roadmap.size(), 0),
-        bounds_(roadmap.times_to(request.goal)) {}
+        to_goal_(team, roadmap, request.goal, request.start) {}
 
   std::optional<Trajectory> run(std::uint64_t& expanded) {
     if (!find_goal_times()) return std::nullopt;
@@ -77,8 +80,10 @@ class Search {
 
   void open(std::uint32_t id) {
     const State& state = states_[id];
-    const double to_go = bounds_[state.node];
-    open_.push({std::max(state.arrival + to_go, goal_from_), to_go, state.arrival, id});
+    const double to_go = to_goal_.from(state.node);
+    if (std::isinf(to_go)) return;
+    const double bound = state.arrival + request_.greed * to_go;
+    open_.push({std::max(bound, goal_from_), to_go, state.arrival, id});
   }
 
   void open_start() {
@@ -165,10 +170,10 @@ class Search {
   const SearchRequest& request_;
   const std::atomic<bool>& stop_;
   std::uint64_t checks_end_;
-  std::vector<std::uint32_t> first_;   // a node's first state
-  std::vector<std::uint32_t> count_;   // a node's number of states
-  const std::vector<double>& bounds_;  // a node's least time to the goal
-  double goal_from_ = 0;               // s
+  std::vector<std::uint32_t> first_;  // a node's first state
+  std::vector<std::uint32_t> count_;  // a node's number of states
+  TimesToGoal to_goal_;
+  double goal_from_ = 0;  // s
   std::vector<State> states_;
   std::priority_queue<Open> open_;
   std::vector<Interval> intervals_;  // scratch

@@ -20,6 +20,8 @@ struct SearchRequest {
   double hold_until;       // s: the goal must stay free until then (or the arrival, if later)
   std::size_t expansions;  // gives up after so many
   std::uint64_t checks;    // and after so many geometric queries against moving bodies
+  double greed = 1;        // > 1: looks first where the goal is near, for arrivals at most so many
+                           // times later than the earliest
 };
 
 // The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such

@@ -8,6 +8,7 @@
 
 #include "common/geometry/tolerances.h"
 #include "tests/support/scenes.h"
+#include "worker/times_to_goal.h"
 
 namespace accord {
 namespace {
@@ -34,13 +35,13 @@ class SquareRoadmap : public ::testing::Test {
 
   // Durations are a little longer than distance over speed: see least_duration().
   void expect_times(const std::vector<double>& expected) {
-    const std::vector<double>& times = roadmap_.times_to(1);
-    ASSERT_EQ(times.size(), expected.size());
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      if (std::isinf(expected[i])) {
-        EXPECT_TRUE(std::isinf(times[i]));
+    ASSERT_EQ(roadmap_.size(), expected.size());
+    TimesToGoal times(team_, roadmap_, 1, 0);
+    for (LocalRoadmap::Node node = 0; node < expected.size(); ++node) {
+      if (std::isinf(expected[node])) {
+        EXPECT_TRUE(std::isinf(times.from(node)));
       } else {
-        EXPECT_NEAR(times[i], expected[i], 1e-5);
+        EXPECT_NEAR(times.from(node), expected[node], 1e-5);
       }
     }
   }
