@@ -55,17 +55,9 @@ ArcOutcome Arc::run() {
           adaptation_.prefers_crowd(job.conflict, job.subproblem, job.resolution, board)) {
         continue;
       }
-      if (job.resolution.solved) {
-        schedule_.commit(job.subproblem, job.resolution);
+      if (job.resolution.solved || job.resolution.improves()) commit(job, board);
+      if (!is_left(job)) {
         adaptation_.note_resolved(job.conflict, job.subproblem);
-        std::vector<RobotId> changed;
-        for (const Task& task : job.subproblem.tasks) {
-          if (schedule_.version(task.robot) != task.version) changed.push_back(task.robot);
-        }
-        const std::size_t before = board.size();
-        board.update(changed, job.subproblem.from);
-        statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
-        ++statistics_.conflicts_resolved;
       } else if (!adaptation_.grow(job.conflict, job.subproblem, job.in_the_way, board)) {
         return infeasible(job);
       }
@@ -77,6 +69,28 @@ ArcOutcome Arc::run() {
   statistics_.robots_taken_in = adaptation_.robots_taken_in();
   statistics_.conflict_time = seconds_since(conflicts_begin);
   return {PlanStatus::kSolved, ""};
+}
+
+// UpdateSolution: splices the local paths in, and looks for conflicts where paths have changed.
+void Arc::commit(const Job& job, ConflictBoard& board) {
+  schedule_.commit(job.subproblem, job.resolution);
+  std::vector<RobotId> changed;
+  for (const Task& task : job.subproblem.tasks) {
+    if (schedule_.version(task.robot) != task.version) changed.push_back(task.robot);
+  }
+  const std::size_t before = board.size();
+  board.update(changed, job.subproblem.from);
+  statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
+  ++statistics_.conflicts_resolved;
+}
+
+// Whether the conflict that a job is about is still there.
+bool Arc::is_left(const Job& job) {
+  if (job.resolution.solved) return false;
+  if (!job.resolution.improves()) return true;
+  return std::ranges::any_of(job.resolution.left, [&](RobotId robot) {
+    return robot == job.conflict.first || robot == job.conflict.second;
+  });
 }
 
 std::optional<ArcOutcome> Arc::plan_initial_paths() {
@@ -155,7 +169,8 @@ void Arc::find_robots_in_the_way(std::vector<Job>& jobs) {
   std::vector<Subproblem> without;
   std::vector<Job*> failed;
   for (Job& job : jobs) {
-    if (job.resolution.solved || job.subproblem.outsiders.empty()) continue;
+    const bool is_exhausted = !job.resolution.solved && !job.resolution.improves();
+    if (!is_exhausted || job.subproblem.outsiders.empty()) continue;
     without.push_back(job.subproblem);
     without.back().outsiders.clear();
     failed.push_back(&job);
@@ -191,7 +206,7 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
 void Arc::record(const Job& job) {
   ++statistics_.subproblems;
   statistics_.effort += job.resolution.effort;
-  if (job.resolution.solved) {
+  if (job.resolution.solved || job.resolution.improves()) {
     ++statistics_.solved_by[job.resolution.solver];
   } else {
     ++statistics_.exhausted;
@@ -204,14 +219,19 @@ void Arc::log(const Job& job) const {
   for (const Task& task : job.subproblem.tasks) {
     robots += (robots.empty() ? "" : ", ") + planning_.scene().robot(task.robot).name;
   }
+  std::string outcome = job.resolution.solver;
+  if (!job.resolution.solved) outcome = "exhausted";
+  if (job.resolution.improves()) {
+    outcome =
+        fmt::format("{} but for {} robots", job.resolution.solver, job.resolution.left.size());
+  }
   const Effort& effort = job.resolution.effort;
   spdlog::debug(
       "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders: {}: {} "
       "({} searches, {} expansions, {} samples)",
       job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
-      job.subproblem.outsiders.size(), robots,
-      job.resolution.solved ? job.resolution.solver : "exhausted", effort.searches,
-      effort.expansions, effort.samples);
+      job.subproblem.outsiders.size(), robots, outcome, effort.searches, effort.expansions,
+      effort.samples);
 }
 
 void Arc::report(Progress::Phase phase) {

@@ -70,6 +70,8 @@ class Arc {
   };
 
   std::optional<ArcOutcome> plan_initial_paths();
+  void commit(const Job& job, ConflictBoard& board);
+  static bool is_left(const Job& job);
   std::vector<Job> choose(const ConflictBoard& board) const;
   void solve(std::vector<Job>& jobs);
   void find_robots_in_the_way(std::vector<Job>& jobs);

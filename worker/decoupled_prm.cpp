@@ -22,7 +22,7 @@ Resolution DecoupledPrm::do_solve(const Workspace& workspace, const Subproblem& 
     resolution.effort = effort;
     resolution.effort.samples = roadmaps.samples();
     resolution.solver = kName;
-    if (resolution.solved) return resolution;
+    if (resolution.solved || resolution.improves()) return resolution;
   }
   Resolution exhausted;
   exhausted.effort = effort;

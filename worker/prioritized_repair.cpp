@@ -17,7 +17,7 @@ namespace {
 constexpr double kAwaited = 0.125;
 
 // Times that a robot may be asked to make way, for each order that the limits allow.
-constexpr unsigned kYieldsPerOrder = 2;
+constexpr std::size_t kYieldsPerOrder = 2;
 
 // The robots of a team: where those whose paths stand for now are going, and where the others wait
 // to be planned. By task.
@@ -164,31 +164,42 @@ class Repair {
         settled_(world, subproblem),
         yielded_(subproblem.tasks.size(), 0) {}
 
-  bool run() {
-    const std::size_t robots = subproblem_.tasks.size();
+  // Settles whom it can. Those it cannot are left().
+  void run() {
     keep_what_is_clear();
     for (const std::size_t i : waiting_) settled_.await(i);
-    const std::uint64_t begin = effort_.expansions;
-    // A robot that has made way so often is caught in a jam.
-    const unsigned most =
-        kYieldsPerOrder * static_cast<unsigned>(subproblem_.limits.priority_orders);
-    for (std::size_t left = robots * subproblem_.limits.priority_orders; !waiting_.empty();) {
-      if (left-- == 0 || stop_ || std::ranges::max(yielded_) > most) return false;
-      if (effort_.expansions > begin + robots * subproblem_.limits.query_expansions / 4)
-        return false;
+    const std::size_t robots = subproblem_.tasks.size();
+    const std::uint64_t last =
+        effort_.expansions + robots * subproblem_.limits.query_expansions / 4;
+    for (std::size_t plans = robots * subproblem_.limits.priority_orders; !waiting_.empty();) {
       const std::size_t i = waiting_.front();
       waiting_.pop_front();
-      auto path = plan(i);
-      if (!path) path = plan_through(i);
-      if (!path) return false;
-      settled_.add(i, std::move(*path));
+      const bool is_spent = plans == 0 || effort_.expansions > last || stop_;
+      std::optional<Trajectory> path;
+      if (!is_spent && !is_jammed(i)) {
+        --plans;
+        path = plan(i);
+        if (!path) path = plan_through(i);
+      }
+      if (path) {
+        settled_.add(i, std::move(*path));
+      } else {
+        left_.push_back(i);
+      }
     }
-    return true;
   }
 
+  // Robots that no path was found for.
+  const std::vector<std::size_t>& left() const { return left_; }
+  // Of the others.
   std::vector<Trajectory> take_paths() { return settled_.take_paths(); }
 
  private:
+  // A robot that has made way so often is caught in a jam.
+  bool is_jammed(std::size_t i) const {
+    return yielded_[i] > kYieldsPerOrder * subproblem_.limits.priority_orders;
+  }
+
   // Settles the robots that can go on as they do.
   void keep_what_is_clear() {
     for (std::size_t i = 0; i < subproblem_.tasks.size(); ++i) {
@@ -291,6 +302,7 @@ class Repair {
   Effort& effort_;
   Settled settled_;
   std::deque<std::size_t> waiting_;
+  std::vector<std::size_t> left_;
   std::vector<unsigned> yielded_;  // by task: how often it has made way for another
 };
 
@@ -301,10 +313,15 @@ Resolution prioritized_repair(const CollisionWorld& world, const Subproblem& sub
                               Effort& effort) {
   Resolution out;
   Repair repair(world, subproblem, roadmaps, stop, effort);
-  if (!repair.run()) return out;
-  out.solved = true;
+  repair.run();
+  out.solved = repair.left().empty();
+  if (!out.solved && (!subproblem.is_crowd() || stop)) return out;
   out.end = subproblem.from;
   out.paths = repair.take_paths();
+  for (const std::size_t i : repair.left()) {
+    out.left.push_back(subproblem.tasks[i].robot);
+    out.paths[i] = subproblem.tasks[i].guide;
+  }
   for (const Trajectory& path : out.paths) out.end = std::max(out.end, path.end_time());
   return out;
 }

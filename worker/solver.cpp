@@ -42,7 +42,7 @@ Resolution SolverHierarchy::do_solve(const Workspace& workspace, const Subproble
     Resolution resolution = solver->solve(workspace, subproblem, stop);
     effort += resolution.effort;
     resolution.effort = effort;
-    if (resolution.solved || stop) return resolution;
+    if (resolution.solved || resolution.improves() || stop) return resolution;
   }
   Resolution exhausted;
   exhausted.effort = effort;

@@ -27,7 +27,8 @@ bool reaches_goal(const RobotModel& model, const Task& task, ConfigurationView e
 }
 
 bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& resolution) {
-  if (!resolution.solved || resolution.paths.size() != subproblem.tasks.size()) return false;
+  if (!resolution.solved && !resolution.improves()) return false;
+  if (resolution.paths.size() != subproblem.tasks.size()) return false;
   for (std::size_t i = 0; i < resolution.paths.size(); ++i) {
     const Trajectory& path = resolution.paths[i];
     const Task& task = subproblem.tasks[i];

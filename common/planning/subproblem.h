@@ -90,7 +90,12 @@ struct Resolution {
   int roadmap_level = -1;         // of the roadmap that a robot's own path was found on; -1: none
   double end = 0;                 // s: when the last robot arrives at its goal
   std::vector<Trajectory> paths;  // one a task; from `from` to its arrival, at most `end`
+  // Of a crowd that is not solved: robots that no path was found for, so that they keep to their
+  // present ones. All others keep clear of each other on theirs, which is worth having.
+  std::vector<RobotId> left;
   Effort effort;
+
+  bool improves() const { return !solved && !left.empty(); }
 };
 
 }  // namespace accord
