@@ -103,9 +103,10 @@ void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subpr
   if (conflict.time > trade.until) trade = {};
   ++trade.count;
   trade.from = trade.count == 1 ? subproblem.from : std::min(trade.from, subproblem.from);
-  // What was left for after the horizon may come up right there.
-  const double beyond = subproblem.horizon - conflict.time;
-  trade.until = std::max(trade.until, subproblem.horizon + beyond);
+  // What was left for after the horizon may come up right there, or after one of another pair.
+  constexpr double kLookouts = 3;
+  const double ahead = subproblem.horizon - conflict.time;
+  trade.until = std::max(trade.until, subproblem.horizon + kLookouts * ahead);
 }
 
 bool Adaptation::grow(const Conflict& conflict, const Subproblem& subproblem,

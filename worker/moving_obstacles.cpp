@@ -48,12 +48,15 @@ void complement(std::vector<Interval>& unsafe, double from, std::vector<Interval
 }  // namespace
 
 MovingObstacles::MovingObstacles(const CollisionWorld& world, RobotId robot, double from)
-    : world_(world), robot_(robot), from_(from) {}
+    : world_(world),
+      robot_(robot),
+      from_(from),
+      own_distance_(world.radius(robot).value_or(0) + world.required_separation()) {}
 
 void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
   const auto mine = world_.radius(robot_), theirs = world_.radius(other);
   if (mine && theirs) {
-    add_points(path, *mine + *theirs + world_.required_separation(), until);
+    add_points(path, *theirs, until);
     return;
   }
   const Vec3 room = Vec3::Constant(world_.required_separation());
@@ -80,12 +83,12 @@ void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
   }
 }
 
-void MovingObstacles::add_points(const Trajectory& path, double distance, double until) {
+void MovingObstacles::add_points(const Trajectory& path, double radius, double until) {
   for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
     if (path.time(i) >= until) continue;
     const bool last = i + 1 == path.size();
-    PointPiece piece{path.time(i), until,    to_point(path.configuration(i)),
-                     Vec3::Zero(), distance, distance * distance};
+    PointTraffic::Piece piece{path.time(i), until, to_point(path.configuration(i)), Vec3::Zero(),
+                              radius};
     if (!last) {
       piece.velocity =
           (to_point(path.configuration(i + 1)) - piece.position) / (path.time(i + 1) - piece.t0);
@@ -97,49 +100,46 @@ void MovingObstacles::add_points(const Trajectory& path, double distance, double
 
 void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
   unsafe_.clear();
-  point_unsafe(points_near(q, q, from_), q, unsafe_);
+  point_unsafe(points_near(q, q, from_, kInfinity), q, unsafe_);
   if (!pieces_.empty()) piece_unsafe(q, unsafe_);
   complement(unsafe_, from_, out);
 }
 
-// |p + v s - q| < d for s in the roots of a quadratic.
 void MovingObstacles::add(const PointTraffic& traffic) {
   traffic_ = &traffic;
 }
 
-std::span<const MovingObstacles::PointPiece> MovingObstacles::points_near(ConfigurationView a,
-                                                                          ConfigurationView b,
-                                                                          double since) {
-  if (!traffic_) return points_;
-  near_ = points_;
-  traffic_->near(to_point(a), to_point(b), since, found_);
-  const double mine = world_.radius(robot_).value_or(0) + world_.required_separation();
-  for (const PointTraffic::Piece* piece : found_) {
-    const double distance = mine + piece->radius;
-    near_.push_back(
-        {piece->t0, piece->t1, piece->position, piece->velocity, distance, distance * distance});
+const MovingObstacles::Points& MovingObstacles::points_near(ConfigurationView a,
+                                                            ConfigurationView b, double since,
+                                                            double until) {
+  near_.clear();
+  for (const PointTraffic::Piece& piece : points_) {
+    if (piece.t1 > since && piece.t0 < until) near_.push_back(&piece);
   }
+  if (traffic_) traffic_->near(to_point(a), to_point(b), since, until, near_);
   return near_;
 }
 
-void MovingObstacles::point_unsafe(std::span<const PointPiece> points, ConfigurationView q,
-                                   std::vector<Interval>& unsafe) {
+// |p + v s - q| < d for s in the roots of a quadratic.
+void MovingObstacles::point_unsafe(const Points& points, ConfigurationView q,
+                                   std::vector<Interval>& unsafe) const {
   if (points.empty()) return;
   const Vec3 here = to_point(q);
-  for (const PointPiece& piece : points) {
-    const Vec3 offset = piece.position - here;
-    const double c = offset.squaredNorm() - piece.squared;
-    const double a = piece.velocity.squaredNorm();
+  for (const PointTraffic::Piece* piece : points) {
+    const Vec3 offset = piece->position - here;
+    const double distance = distance_to(*piece);
+    const double c = offset.squaredNorm() - distance * distance;
+    const double a = piece->velocity.squaredNorm();
     if (a == 0) {
-      if (c < 0) unsafe.push_back({piece.t0, piece.t1});
+      if (c < 0) unsafe.push_back({piece->t0, piece->t1});
       continue;
     }
-    const double b = offset.dot(piece.velocity);
+    const double b = offset.dot(piece->velocity);
     const double discriminant = b * b - a * c;
     if (discriminant <= 0) continue;
     const double root = std::sqrt(discriminant);
-    const double lo = std::max(piece.t0, piece.t0 + (-b - root) / a);
-    const double hi = std::min(piece.t1, piece.t0 + (-b + root) / a);
+    const double lo = std::max(piece->t0, piece->t0 + (-b - root) / a);
+    const double hi = std::min(piece->t1, piece->t0 + (-b + root) / a);
     if (lo < hi) unsafe.push_back({lo, hi});
   }
 }
@@ -196,17 +196,20 @@ std::optional<double> MovingObstacles::contact(const Piece& piece, Configuration
 
 // The earliest departure from t on that is clear of the first piece that departing at t runs into;
 // t itself when that is clear of all points.
-double MovingObstacles::point_next_departure(std::span<const PointPiece> points, const Vec3& a,
-                                             const Vec3& velocity, double duration, double t) {
-  for (const PointPiece& piece : points) {
-    const double lo = std::max(t, piece.t0);
-    const double hi = std::min(t + duration, piece.t1);
+double MovingObstacles::point_next_departure(const Points& points, const Vec3& a,
+                                             const Vec3& velocity, double duration,
+                                             double t) const {
+  for (const PointTraffic::Piece* piece : points) {
+    const double lo = std::max(t, piece->t0);
+    const double hi = std::min(t + duration, piece->t1);
     if (lo >= hi) continue;
-    const Vec3 offset = piece.position + (lo - piece.t0) * piece.velocity - a - (lo - t) * velocity;
-    if (!first_within(offset, (hi - lo) * (piece.velocity - velocity), piece.distance)) continue;
+    const Vec3 offset =
+        piece->position + (lo - piece->t0) * piece->velocity - a - (lo - t) * velocity;
+    const Vec3 step = (hi - lo) * (piece->velocity - velocity);
+    if (!first_within(offset, step, distance_to(*piece))) continue;
     // Whoever is parked in the way now will be so whenever the motion starts.
-    if (std::isinf(piece.t1)) return kInfinity;
-    return std::max(t, last_unsafe_departure(piece, a, velocity, duration)) + kSlack;
+    if (std::isinf(piece->t1)) return kInfinity;
+    return std::max(t, last_unsafe_departure(*piece, a, velocity, duration)) + kSlack;
   }
   return t;
 }
@@ -215,8 +218,9 @@ double MovingObstacles::point_next_departure(std::span<const PointPiece> points,
 // set of (s, u), cut out of |offset + s w + u c| <= distance (w: the piece's velocity, c: the
 // relative one) by 0 <= u <= duration and t0 <= s + u <= t1. Its largest s lies on one of the four
 // edges or where the line of constant s is a tangent.
-double MovingObstacles::last_unsafe_departure(const PointPiece& piece, const Vec3& a,
-                                              const Vec3& velocity, double duration) {
+double MovingObstacles::last_unsafe_departure(const PointTraffic::Piece& piece, const Vec3& a,
+                                              const Vec3& velocity, double duration) const {
+  const double squared = distance_to(piece) * distance_to(piece);
   const Vec3 offset = piece.position - a;  // at s = u = 0, times counted from t0
   const Vec3& w = piece.velocity;
   const Vec3 c = w - velocity;
@@ -225,7 +229,7 @@ double MovingObstacles::last_unsafe_departure(const PointPiece& piece, const Vec
   // On an edge, (s, u) = (s0 + s1 k, u0 + u1 k) for k in [lo, hi].
   const auto along_edge = [&](double s0, double s1, double u0, double u1, double lo, double hi) {
     if (lo > hi) return;
-    const auto span = span_within(offset + s0 * w + u0 * c, s1 * w + u1 * c, piece.squared);
+    const auto span = span_within(offset + s0 * w + u0 * c, s1 * w + u1 * c, squared);
     if (!span) return;
     const double first_k = std::max(lo, span->lo), last_k = std::min(hi, span->hi);
     if (first_k <= last_k) last = std::max({last, s0 + s1 * first_k, s0 + s1 * last_k});
@@ -237,7 +241,7 @@ double MovingObstacles::last_unsafe_departure(const PointPiece& piece, const Vec
   const double speed = c.squaredNorm();
   if (speed > 0) {
     const Vec3 across = offset - (offset.dot(c) / speed) * c;
-    const auto span = span_within(across, w - (w.dot(c) / speed) * c, piece.squared);
+    const auto span = span_within(across, w - (w.dot(c) / speed) * c, squared);
     if (span && std::isfinite(span->hi)) {
       const double s = span->hi, u = -(offset + s * w).dot(c) / speed;
       if (u >= 0 && u <= duration && s + u >= 0 && s + u <= length) last = std::max(last, s);
@@ -260,7 +264,7 @@ MovingObstacles::Passage MovingObstacles::past_pieces(ConfigurationView a, Confi
 
 bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, double t,
                                       double duration) {
-  const auto points = points_near(a, b, t);
+  const Points& points = points_near(a, b, t, t + duration);
   if (!points.empty()) {
     const Vec3 from = to_point(a);
     const Vec3 velocity = (to_point(b) - from) / duration;
@@ -273,7 +277,7 @@ std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, C
                                                           double duration, double lo, double hi) {
   double t = lo;
   double step = world_.scene().timestep;
-  const auto points = points_near(a, b, lo);
+  const Points& points = points_near(a, b, lo, hi + duration);
   const bool any = !points.empty();
   const Vec3 from = any ? to_point(a) : Vec3(Vec3::Zero());
   const Vec3 velocity = any ? Vec3((to_point(b) - from) / duration) : Vec3(Vec3::Zero());

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
@@ -55,14 +54,8 @@ class MovingObstacles {
   std::uint64_t checks() const { return checks_; }
 
  private:
-  // A point robot on a linear motion; `distance` is what centres must keep.
-  struct PointPiece {
-    double t0, t1;
-    Vec3 position;  // at t0
-    Vec3 velocity;
-    double distance;
-    double squared;  // distance squared
-  };
+  using Points = std::vector<const PointTraffic::Piece*>;
+
   // Any robot on a linear motion.
   struct Piece {
     RobotId robot;
@@ -71,17 +64,20 @@ class MovingObstacles {
     Aabb bounds;  // inflated by what must be kept
   };
 
-  void add_points(const Trajectory& path, double distance, double until);
-  // The discs and balls that a motion from a to b can meet after `since` (s). Valid until the next
-  // call.
-  std::span<const PointPiece> points_near(ConfigurationView a, ConfigurationView b, double since);
-  static void point_unsafe(std::span<const PointPiece> points, ConfigurationView q,
-                           std::vector<Interval>& unsafe);
+  void add_points(const Trajectory& path, double radius, double until);
+  // The discs and balls that a motion from a to b can meet between `since` and `until` (s). Valid
+  // until the next call.
+  const Points& points_near(ConfigurationView a, ConfigurationView b, double since, double until);
+  // What centres must keep.
+  double distance_to(const PointTraffic::Piece& piece) const {
+    return own_distance_ + piece.radius;
+  }
+  void point_unsafe(const Points& points, ConfigurationView q, std::vector<Interval>& unsafe) const;
   void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
-  static double point_next_departure(std::span<const PointPiece> points, const Vec3& a,
-                                     const Vec3& velocity, double duration, double t);
-  static double last_unsafe_departure(const PointPiece& piece, const Vec3& a, const Vec3& velocity,
-                                      double duration);
+  double point_next_departure(const Points& points, const Vec3& a, const Vec3& velocity,
+                              double duration, double t) const;
+  double last_unsafe_departure(const PointTraffic::Piece& piece, const Vec3& a,
+                               const Vec3& velocity, double duration) const;
   // A motion into a robot that has parked stays blocked however late it departs.
   enum class Passage { kClear, kBlocked, kBlockedForGood };
   Passage past_pieces(ConfigurationView a, ConfigurationView b, double t, double duration);
@@ -92,13 +88,13 @@ class MovingObstacles {
   const CollisionWorld& world_;
   RobotId robot_;
   double from_;
-  std::vector<PointPiece> points_;
+  double own_distance_;  // m: what centres must keep, less the other's radius
+  std::vector<PointTraffic::Piece> points_;
   std::vector<Piece> pieces_;
   const PointTraffic* traffic_ = nullptr;
   std::uint64_t checks_ = 0;
   std::vector<Interval> unsafe_;                               // scratch
-  std::vector<PointPiece> near_;                               // scratch
-  std::vector<const PointTraffic::Piece*> found_;              // scratch
+  Points near_;                                                // scratch
   Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
 };
 

@@ -74,8 +74,9 @@ void PointTraffic::add(std::uint32_t owner, const Trajectory& path, double radiu
 void PointTraffic::file(Id id) {
   const Piece& piece = pieces_[id];
   const Vec3 end = end_of(piece);
-  for_each_cell(piece.position, end, piece.radius + room_,
-                [&](Key key) { cells_[key].push_back(id); });
+  for_each_cell(piece.position, end, piece.radius + room_, [&](Key key) {
+    cells_[key].push_back({piece.t0, piece.t1, id});
+  });
 }
 
 void PointTraffic::remove(std::uint32_t owner) {
@@ -84,25 +85,25 @@ void PointTraffic::remove(std::uint32_t owner) {
   for (const Id id : found->second) {
     const Piece& piece = pieces_[id];
     const Vec3 end = end_of(piece);
-    for_each_cell(piece.position, end, piece.radius + room_,
-                  [&](Key key) { std::erase(cells_[key], id); });
+    for_each_cell(piece.position, end, piece.radius + room_, [&](Key key) {
+      std::erase_if(cells_[key], [id](const Entry& entry) { return entry.id == id; });
+    });
     free_.push_back(id);
   }
   by_owner_.erase(found);
 }
 
-void PointTraffic::near(const Vec3& a, const Vec3& b, double since,
+void PointTraffic::near(const Vec3& a, const Vec3& b, double since, double until,
                         std::vector<const Piece*>& out) const {
   seen_in_.resize(pieces_.size(), call_);
   ++call_;
-  out.clear();
   for_each_cell(a, b, 0, [&](Key key) {
     const auto cell = cells_.find(key);
     if (cell == cells_.end()) return;
-    for (const Id id : cell->second) {
-      if (seen_in_[id] == call_) continue;
-      seen_in_[id] = call_;
-      if (pieces_[id].t1 > since) out.push_back(&pieces_[id]);
+    for (const Entry& entry : cell->second) {
+      if (entry.t1 <= since || entry.t0 >= until || seen_in_[entry.id] == call_) continue;
+      seen_in_[entry.id] = call_;
+      out.push_back(&pieces_[entry.id]);
     }
   });
 }

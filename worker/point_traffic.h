@@ -38,13 +38,20 @@ class PointTraffic {
 
   bool empty() const { return by_owner_.empty(); }
 
-  // All pieces that come within `room` of the segment from a to b after `since` (s), and some that
-  // do not, each once, in an order that depends on nothing but what was added and removed.
-  void near(const Vec3& a, const Vec3& b, double since, std::vector<const Piece*>& out) const;
+  // Appends all pieces that come within `room` of the segment from a to b between `since` and
+  // `until` (s), and some that do not, each once, in an order that depends on nothing but what was
+  // added and removed. Valid until the next change.
+  void near(const Vec3& a, const Vec3& b, double since, double until,
+            std::vector<const Piece*>& out) const;
 
  private:
   using Id = std::uint32_t;
   using Key = std::uint64_t;
+  // A piece in a cell, with its times, so that most are passed over without a look at them.
+  struct Entry {
+    double t0, t1;  // s
+    Id id;
+  };
 
   template <class Visit>
   void for_each_cell(const Vec3& a, const Vec3& b, double margin, const Visit& visit) const;
@@ -57,7 +64,7 @@ class PointTraffic {
   std::vector<Piece> pieces_;
   std::vector<Id> free_;  // of pieces_
   std::unordered_map<std::uint32_t, std::vector<Id>> by_owner_;
-  std::unordered_map<Key, std::vector<Id>> cells_;
+  std::unordered_map<Key, std::vector<Entry>> cells_;
   mutable std::vector<std::uint32_t> seen_in_;  // by piece: the last call of near() that met it
   mutable std::uint32_t call_ = 0;
 };

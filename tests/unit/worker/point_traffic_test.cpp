@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "common/planning/random.h"
@@ -12,6 +13,7 @@
 namespace accord {
 namespace {
 
+constexpr double kEver = std::numeric_limits<double>::infinity();
 constexpr double kRoom = 0.8;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
@@ -61,9 +63,11 @@ TEST(PointTraffic, FindsEverythingThatComesNearOnceAndNothingThatWasRemoved) {
   for (int question = 0; question < 200; ++question) {
     const Vec3 a(random.uniform(-10, 10), random.uniform(-10, 10), 0);
     const Vec3 b(random.uniform(-10, 10), random.uniform(-10, 10), 0);
-    const double since = random.uniform(0, 20);
-    traffic.near(a, b, since, found);
-    everything.near(Vec3::Zero(), Vec3::Zero(), since, all);
+    const double since = random.uniform(0, 20), until = since + random.uniform(0, 20);
+    found.clear();
+    all.clear();
+    traffic.near(a, b, since, until, found);
+    everything.near(Vec3::Zero(), Vec3::Zero(), since, until, all);
     std::set<std::pair<double, double>> places;  // of what was found
     for (const auto* piece : found) places.insert({piece->t0, piece->position.x()});
     EXPECT_EQ(places.size(), found.size()) << "a piece was found twice";
@@ -82,7 +86,7 @@ TEST(PointTraffic, LeavesOutWhatDoesNotComeNear) {
     traffic.add(owner, testing::path({{0, {-5, y}}, {10, {5, y}}}), 0.3);
   }
   std::vector<const PointTraffic::Piece*> found;
-  traffic.near(Vec3(-5, 500, 0), Vec3(5, 500, 0), 0, found);
+  traffic.near(Vec3(-5, 500, 0), Vec3(5, 500, 0), 0, kEver, found);
   EXPECT_EQ(found.size(), 2u);  // the motion and the rest after it
 }
 
@@ -91,14 +95,25 @@ TEST(PointTraffic, EndsAtTheGivenTimeEvenWhereARobotHasParked) {
   traffic.add(1, testing::path({{0, {0, 0}}, {10, {10, 0}}}), 0.3, 0, 4);
   traffic.add(2, testing::path({{0, {0, 5}}}), 0.3, 0, 4);
   std::vector<const PointTraffic::Piece*> found;
-  traffic.near(Vec3(0, 0, 0), Vec3(10, 0, 0), 0, found);
+  traffic.near(Vec3(0, 0, 0), Vec3(10, 0, 0), 0, kEver, found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]->t1, 4);
-  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 0, found);
+  found.clear();
+  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 0, kEver, found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]->t1, 4);
-  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 4, found);
+  found.clear();
+  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 4, kEver, found);
   EXPECT_TRUE(found.empty());
+}
+
+TEST(PointTraffic, LeavesOutWhatHappensAtOtherTimes) {
+  PointTraffic traffic(kRoom);
+  traffic.add(1, testing::path({{0, {0, 0}}, {10, {1, 0}}, {20, {2, 0}}}), 0.3);
+  std::vector<const PointTraffic::Piece*> found;
+  traffic.near(Vec3(1, 0, 0), Vec3(1, 0, 0), 11, 12, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0]->t0, 10);
 }
 
 TEST(PointTraffic, ForgettingSomeoneUnknownChangesNothing) {
