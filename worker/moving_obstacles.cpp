@@ -105,8 +105,8 @@ void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>&
   complement(unsafe_, from_, out);
 }
 
-void MovingObstacles::add(const PointTraffic& traffic) {
-  traffic_ = &traffic;
+void MovingObstacles::add(const PointTraffic& traffic, const std::vector<char>* only) {
+  traffic_.emplace_back(&traffic, only);
 }
 
 const MovingObstacles::Points& MovingObstacles::points_near(ConfigurationView a,
@@ -116,7 +116,9 @@ const MovingObstacles::Points& MovingObstacles::points_near(ConfigurationView a,
   for (const PointTraffic::Piece& piece : points_) {
     if (piece.t1 > since && piece.t0 < until) near_.push_back(&piece);
   }
-  if (traffic_) traffic_->near(to_point(a), to_point(b), since, until, near_);
+  for (const auto& [traffic, only] : traffic_) {
+    traffic->near(to_point(a), to_point(b), since, until, only, near_);
+  }
   return near_;
 }
 

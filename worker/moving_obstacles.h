@@ -34,9 +34,9 @@ class MovingObstacles {
   // infinite), but if it has parked by then, for good: else waiting for it to vanish would seem a
   // way past it. Copies what it needs.
   void add(RobotId other, const Trajectory& path, double until);
-  // Adds all discs and balls of `traffic`, which must outlive this and may change meanwhile.
-  // Requires: the robot is a disc or a ball.
-  void add(const PointTraffic& traffic);
+  // Adds all discs and balls of `traffic`, or `only` those of owners o that only[o] holds for. Both
+  // must outlive this. Requires: the robot is a disc or a ball.
+  void add(const PointTraffic& traffic, const std::vector<char>* only = nullptr);
 
   // The times from `from` on at which resting at q is free, in order, disjoint. Empty: never.
   void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
@@ -91,7 +91,7 @@ class MovingObstacles {
   double own_distance_;  // m: what centres must keep, less the other's radius
   std::vector<PointTraffic::Piece> points_;
   std::vector<Piece> pieces_;
-  const PointTraffic* traffic_ = nullptr;
+  std::vector<std::pair<const PointTraffic*, const std::vector<char>*>> traffic_;
   std::uint64_t checks_ = 0;
   std::vector<Interval> unsafe_;                               // scratch
   Points near_;                                                // scratch

@@ -67,15 +67,15 @@ void PointTraffic::add(std::uint32_t owner, const Trajectory& path, double radiu
       pieces_[id] = piece;
     }
     mine.push_back(id);
-    file(id);
+    file(id, owner);
   }
 }
 
-void PointTraffic::file(Id id) {
+void PointTraffic::file(Id id, std::uint32_t owner) {
   const Piece& piece = pieces_[id];
   const Vec3 end = end_of(piece);
   for_each_cell(piece.position, end, piece.radius + room_, [&](Key key) {
-    cells_[key].push_back({piece.t0, piece.t1, id});
+    cells_[key].push_back({piece.t0, piece.t1, id, owner});
   });
 }
 
@@ -94,7 +94,7 @@ void PointTraffic::remove(std::uint32_t owner) {
 }
 
 void PointTraffic::near(const Vec3& a, const Vec3& b, double since, double until,
-                        std::vector<const Piece*>& out) const {
+                        const std::vector<char>* only, std::vector<const Piece*>& out) const {
   seen_in_.resize(pieces_.size(), call_);
   ++call_;
   for_each_cell(a, b, 0, [&](Key key) {
@@ -102,6 +102,7 @@ void PointTraffic::near(const Vec3& a, const Vec3& b, double since, double until
     if (cell == cells_.end()) return;
     for (const Entry& entry : cell->second) {
       if (entry.t1 <= since || entry.t0 >= until || seen_in_[entry.id] == call_) continue;
+      if (only && !(*only)[entry.owner]) continue;
       seen_in_[entry.id] = call_;
       out.push_back(&pieces_[entry.id]);
     }

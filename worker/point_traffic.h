@@ -40,8 +40,9 @@ class PointTraffic {
 
   // Appends all pieces that come within `room` of the segment from a to b between `since` and
   // `until` (s), and some that do not, each once, in an order that depends on nothing but what was
-  // added and removed. Valid until the next change.
-  void near(const Vec3& a, const Vec3& b, double since, double until,
+  // added and removed; with `only` those of owners o that only[o] holds for. Valid until the next
+  // change.
+  void near(const Vec3& a, const Vec3& b, double since, double until, const std::vector<char>* only,
             std::vector<const Piece*>& out) const;
 
  private:
@@ -51,11 +52,12 @@ class PointTraffic {
   struct Entry {
     double t0, t1;  // s
     Id id;
+    std::uint32_t owner;
   };
 
   template <class Visit>
   void for_each_cell(const Vec3& a, const Vec3& b, double margin, const Visit& visit) const;
-  void file(Id id);
+  void file(Id id, std::uint32_t owner);
 
   static constexpr double kCellsPerRoom = 2;
 

@@ -43,7 +43,6 @@ class Settled {
     for (std::size_t i = 0; i < stands_.size(); ++i) add_start(i, starts_);
   }
 
-  bool stands(std::size_t i) const { return stands_[i]; }
   std::vector<Trajectory> take_paths() { return std::move(paths_); }
 
   void add(std::size_t i, Trajectory path) {
@@ -82,22 +81,35 @@ class Settled {
   void avoid_some(std::size_t i, Team& team, const Predicate& is_firm) {
     starts_.remove(robot(i).value);
     avoid_others(i, starts_, team);
+    firm_.assign(world_.scene().robots.size(), 0);
     for (std::size_t j = 0; j < stands_.size(); ++j) {
-      if (stands_[j] && j != i && is_firm(j)) avoid(j, team);
+      if (!stands_[j] || j == i || !is_firm(j)) continue;
+      if (is_point(i) && is_point(j)) {
+        firm_[robot(j).index()] = 1;
+      } else {
+        avoid(j, team);
+      }
     }
+    if (is_point(i)) team.avoid(traffic_, &firm_);
   }
 
   // After avoid_some().
   void restore_start(std::size_t i) { add_start(i, starts_); }
 
-  // Whether robot i on `path` would run into j before both have left the window.
-  bool touches(std::size_t i, const Trajectory& path, std::size_t j) const {
-    const double until =
-        std::min(subproblem_.clear_until, std::max(path.end_time(), paths_[j].end_time()));
+  // The settled that robot i on `path` would run into before both have left the window.
+  std::vector<std::size_t> touched_by(std::size_t i, const Trajectory& path) const {
     const Trajectory onwards = with_tail(world_, subproblem_.tasks[i], path);
-    return earliest_contact(world_, robot(i), onwards, robot(j), onwards_[j], subproblem_.from,
-                            until)
-        .has_value();
+    std::vector<std::size_t> touched;
+    for (std::size_t j = 0; j < stands_.size(); ++j) {
+      if (!stands_[j]) continue;
+      const double until =
+          std::min(subproblem_.clear_until, std::max(path.end_time(), paths_[j].end_time()));
+      if (earliest_contact(world_, robot(i), onwards, robot(j), onwards_[j], subproblem_.from,
+                           until)) {
+        touched.push_back(j);
+      }
+    }
+    return touched;
   }
 
  private:
@@ -150,6 +162,7 @@ class Settled {
   std::vector<Trajectory> paths_;
   std::vector<Trajectory> onwards_;  // with their tails
   std::vector<char> stands_;
+  std::vector<char> firm_;  // by robot; what avoid_some() goes by
 };
 
 class Repair {
@@ -286,8 +299,7 @@ class Repair {
     }
     if (!path) path = plan_past_all(i);
     if (!path) return path;
-    for (std::size_t j = 0; j < subproblem_.tasks.size(); ++j) {
-      if (!settled_.stands(j) || !settled_.touches(i, *path, j)) continue;
+    for (const std::size_t j : settled_.touched_by(i, *path)) {
       settled_.remove(j);
       ++yielded_[j];
       waiting_.push_back(j);

@@ -38,8 +38,8 @@ void Team::avoid(RobotId other, const Trajectory& path, double until) {
   for (MovingObstacles& obstacles : obstacles_) obstacles.add(other, path, until);
 }
 
-void Team::avoid(const PointTraffic& traffic) {
-  for (MovingObstacles& obstacles : obstacles_) obstacles.add(traffic);
+void Team::avoid(const PointTraffic& traffic, const std::vector<char>* only) {
+  for (MovingObstacles& obstacles : obstacles_) obstacles.add(traffic, only);
 }
 
 void Team::avoid_outsiders(const Subproblem& subproblem) {

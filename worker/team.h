@@ -30,8 +30,9 @@ class Team {
   // All members have to avoid this robot until `until` (s).
   void avoid(RobotId other, const Trajectory& path,
              double until = std::numeric_limits<double>::infinity());
-  // And all discs and balls of `traffic`. Requires: all members are discs or balls.
-  void avoid(const PointTraffic& traffic);
+  // And the discs and balls of `traffic`, or `only` some (see MovingObstacles). Requires: all
+  // members are discs or balls.
+  void avoid(const PointTraffic& traffic, const std::vector<char>* only = nullptr);
   // The outsiders of a subproblem, until its horizon.
   void avoid_outsiders(const Subproblem& subproblem);
 

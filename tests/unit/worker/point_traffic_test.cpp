@@ -66,8 +66,8 @@ TEST(PointTraffic, FindsEverythingThatComesNearOnceAndNothingThatWasRemoved) {
     const double since = random.uniform(0, 20), until = since + random.uniform(0, 20);
     found.clear();
     all.clear();
-    traffic.near(a, b, since, until, found);
-    everything.near(Vec3::Zero(), Vec3::Zero(), since, until, all);
+    traffic.near(a, b, since, until, nullptr, found);
+    everything.near(Vec3::Zero(), Vec3::Zero(), since, until, nullptr, all);
     std::set<std::pair<double, double>> places;  // of what was found
     for (const auto* piece : found) places.insert({piece->t0, piece->position.x()});
     EXPECT_EQ(places.size(), found.size()) << "a piece was found twice";
@@ -86,7 +86,7 @@ TEST(PointTraffic, LeavesOutWhatDoesNotComeNear) {
     traffic.add(owner, testing::path({{0, {-5, y}}, {10, {5, y}}}), 0.3);
   }
   std::vector<const PointTraffic::Piece*> found;
-  traffic.near(Vec3(-5, 500, 0), Vec3(5, 500, 0), 0, kEver, found);
+  traffic.near(Vec3(-5, 500, 0), Vec3(5, 500, 0), 0, kEver, nullptr, found);
   EXPECT_EQ(found.size(), 2u);  // the motion and the rest after it
 }
 
@@ -95,15 +95,15 @@ TEST(PointTraffic, EndsAtTheGivenTimeEvenWhereARobotHasParked) {
   traffic.add(1, testing::path({{0, {0, 0}}, {10, {10, 0}}}), 0.3, 0, 4);
   traffic.add(2, testing::path({{0, {0, 5}}}), 0.3, 0, 4);
   std::vector<const PointTraffic::Piece*> found;
-  traffic.near(Vec3(0, 0, 0), Vec3(10, 0, 0), 0, kEver, found);
+  traffic.near(Vec3(0, 0, 0), Vec3(10, 0, 0), 0, kEver, nullptr, found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]->t1, 4);
   found.clear();
-  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 0, kEver, found);
+  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 0, kEver, nullptr, found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]->t1, 4);
   found.clear();
-  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 4, kEver, found);
+  traffic.near(Vec3(0, 5, 0), Vec3(0, 5, 0), 4, kEver, nullptr, found);
   EXPECT_TRUE(found.empty());
 }
 
@@ -111,9 +111,20 @@ TEST(PointTraffic, LeavesOutWhatHappensAtOtherTimes) {
   PointTraffic traffic(kRoom);
   traffic.add(1, testing::path({{0, {0, 0}}, {10, {1, 0}}, {20, {2, 0}}}), 0.3);
   std::vector<const PointTraffic::Piece*> found;
-  traffic.near(Vec3(1, 0, 0), Vec3(1, 0, 0), 11, 12, found);
+  traffic.near(Vec3(1, 0, 0), Vec3(1, 0, 0), 11, 12, nullptr, found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]->t0, 10);
+}
+
+TEST(PointTraffic, FindsTheGivenOwnersOnlyWhereAskedTo) {
+  PointTraffic traffic(kRoom);
+  traffic.add(0, testing::path({{0, {0, 0}}}), 0.3);
+  traffic.add(1, testing::path({{0, {0.5, 0}}}), 0.3);
+  const std::vector<char> only{0, 1};
+  std::vector<const PointTraffic::Piece*> found;
+  traffic.near(Vec3(0, 0, 0), Vec3(0, 0, 0), 0, kEver, &only, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0]->position.x(), 0.5);
 }
 
 TEST(PointTraffic, ForgettingSomeoneUnknownChangesNothing) {
