@@ -53,13 +53,19 @@ Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& boar
   if (!stages.wants_crowd && stages.local.taken_in.size() <= kLocalTeam) return stages.local;
   stages.crowd.taken_in.insert(stages.local.taken_in.begin(), stages.local.taken_in.end());
   Growth crowd = crowd_of(conflict, std::move(stages.crowd), board);
+  static const std::size_t kLS = getenv("LS") ? strtoul(getenv("LS"), nullptr, 10) : 60;
+  if (!lockstep_is_spent_ && crowd.taken_in.size() > kLS) {
+    crowd.lockstep = true;
+    crowd.to_the_end = true;
+    return crowd;
+  }
   return stages.has_bystanders || crowd.taken_in.size() > kLocalTeam ? crowd : stages.local;
 }
 
 bool Adaptation::prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,
                                const Resolution& resolution, const ConflictBoard& board) {
   Stages& stages = stages_[{conflict.first, conflict.second}];
-  if (subproblem.is_crowd() || stages.crowd_is_spent) return false;
+  if (subproblem.is_crowd() || subproblem.lockstep || stages.crowd_is_spent) return false;
   double delay = 0, worth = 0;
   for (std::size_t i = 0; i < subproblem.tasks.size(); ++i) {
     delay += resolution.paths[i].end_time() - subproblem.tasks[i].to;
@@ -99,6 +105,10 @@ Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
 void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subproblem) {
   const Pair pair{conflict.first, conflict.second};
   stages_.erase(pair);
+  if (subproblem.lockstep) {
+    lockstep_is_spent_ = true;
+    return;
+  }
   Trade& trade = trades_[pair];
   if (conflict.time > trade.until) trade = {};
   ++trade.count;
@@ -111,6 +121,10 @@ void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subpr
 
 bool Adaptation::grow(const Conflict& conflict, const Subproblem& subproblem,
                       const std::vector<RobotId>& in_the_way, const ConflictBoard& board) {
+  if (subproblem.lockstep) {
+    lockstep_is_spent_ = true;
+    return true;
+  }
   Stages& stages = stages_[{conflict.first, conflict.second}];
   std::vector<RobotId> candidates = entangled_with(subproblem, board);
   candidates.insert(candidates.end(), in_the_way.begin(), in_the_way.end());

@@ -76,6 +76,7 @@ class Adaptation {
   const Schedule& schedule_;
   std::map<Pair, Stages> stages_;
   std::map<Pair, Trade> trades_;
+  bool lockstep_is_spent_ = false;
   std::uint64_t windows_grown_ = 0;
   std::uint64_t robots_taken_in_ = 0;
 };

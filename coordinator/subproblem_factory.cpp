@@ -123,7 +123,9 @@ Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& gro
   cut(conflict, growth, schedule, board, members, out);
   if (growth.crowd) {
     // Those who stand by may have to make way.
-    members.merge(robots_near(out, board));
+    for (const RobotId near : robots_near(out, board)) {
+      if (!growth.lockstep || world_.radius(near)) members.insert(near);
+    }
     cut(conflict, growth, schedule, board, members, out);
   }
   add_outsiders(schedule, board, growth.to_the_end, growth.shortsighted, out);
@@ -156,7 +158,9 @@ void SubproblemFactory::set_window(const Conflict& conflict, const Growth& growt
   if (out.from >= conflict.time) out.from = 0;
   out.to = growth.to_the_end ? end : std::min(window.to, end);
   out.horizon = window.horizon;
-  if (growth.crowd) out.clear_until = out.horizon;
+  if (growth.crowd && !growth.lockstep) out.clear_until = out.horizon;
+  if (growth.lockstep) out.horizon = kInfinity;
+  out.lockstep = growth.lockstep;
   out.whole = out.from == 0 && out.to >= end;
 }
 

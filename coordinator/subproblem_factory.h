@@ -21,6 +21,7 @@ struct Growth {
   unsigned window = 0;         // doublings of the time window and of the region's margin
   bool shortsighted = false;   // outsiders are avoided only until shortly after the conflict
   bool crowd = false;          // many robots, which look a short time ahead
+  bool lockstep = false;       // a crowd too large for anything but moving in lockstep
   bool to_the_end = false;     // the window ends with the paths, the region is the whole space
   std::set<RobotId> taken_in;  // robots beyond the conflicting pair
   unsigned attempts = 0;       // all in all

@@ -4,24 +4,27 @@
 
 #include "worker/composite_prm.h"
 #include "worker/decoupled_prm.h"
+#include "worker/lockstep_query.h"
 #include "worker/prioritized_query.h"
 
 namespace accord {
 
 Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproblem,
                          const std::atomic<bool>& stop) const {
-  if (subproblem.tasks.empty() || stop) return {};
+  if (subproblem.tasks.empty() || !takes(subproblem) || stop) return {};
   return do_solve(workspace, subproblem, stop);
 }
 
 const std::vector<std::string>& local_solver_names() {
-  static const std::vector<std::string> names{std::string(PrioritizedQuery::kName),
+  static const std::vector<std::string> names{std::string(LockstepQuery::kName),
+                                              std::string(PrioritizedQuery::kName),
                                               std::string(DecoupledPrm::kName),
                                               std::string(CompositePrm::kName)};
   return names;
 }
 
 std::unique_ptr<Solver> make_solver(std::string_view name) {
+  if (name == LockstepQuery::kName) return std::make_unique<LockstepQuery>();
   if (name == PrioritizedQuery::kName) return std::make_unique<PrioritizedQuery>();
   if (name == DecoupledPrm::kName) return std::make_unique<DecoupledPrm>();
   if (name == CompositePrm::kName) return std::make_unique<CompositePrm>();

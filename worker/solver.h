@@ -27,6 +27,8 @@ class Solver {
   virtual std::string_view name() const = 0;
 
  private:
+  // Whether it is meant for such subproblems.
+  virtual bool takes(const Subproblem& subproblem) const { return !subproblem.lockstep; }
   virtual Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                               const std::atomic<bool>& stop) const = 0;
 };
@@ -46,6 +48,7 @@ class SolverHierarchy final : public Solver {
   std::string_view name() const override { return "hierarchy"; }
 
  private:
+  bool takes(const Subproblem&) const override { return true; }
   Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 
