@@ -17,6 +17,8 @@ constexpr double kOwnTimesForLocal = 3.0;
 // crowd.
 constexpr std::size_t kLocalTeam = 4;
 
+// The levels take longer the larger the crowd, for each of its robots: beyond this many, seconds.
+constexpr std::size_t kLargestCrowd = 300;
 // So many mobile robots around a team that cannot get by them are a crowd with it.
 constexpr std::ptrdiff_t kBystanders = 2;
 
@@ -53,13 +55,17 @@ Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& boar
   if (!stages.wants_crowd && stages.local.taken_in.size() <= kLocalTeam) return stages.local;
   stages.crowd.taken_in.insert(stages.local.taken_in.begin(), stages.local.taken_in.end());
   Growth crowd = crowd_of(conflict, std::move(stages.crowd), board);
-  static const std::size_t kLS = getenv("LS") ? strtoul(getenv("LS"), nullptr, 10) : 60;
-  if (!lockstep_is_spent_ && crowd.taken_in.size() > kLS) {
+  if (is_for_lockstep(conflict, crowd)) {
     crowd.lockstep = true;
     crowd.to_the_end = true;
     return crowd;
   }
   return stages.has_bystanders || crowd.taken_in.size() > kLocalTeam ? crowd : stages.local;
+}
+
+bool Adaptation::is_for_lockstep(const Conflict& conflict, const Growth& crowd) const {
+  return !lockstep_is_spent_ && crowd.taken_in.size() > kLargestCrowd &&
+         factory_.can_move_in_lockstep(conflict.first, conflict.second);
 }
 
 bool Adaptation::prefers_crowd(const Conflict& conflict, const Subproblem& subproblem,

@@ -63,6 +63,7 @@ class Adaptation {
     bool has_local = false;       // a local solution, but a costly one
   };
 
+  bool is_for_lockstep(const Conflict& conflict, const Growth& crowd) const;
   const Trade* trade_of(const Conflict& conflict) const;
   Growth crowd_of(const Conflict& conflict, Growth growth, const ConflictBoard& board) const;
   bool grow_local(const Subproblem& subproblem, const std::vector<RobotId>& candidates,
@@ -76,7 +77,7 @@ class Adaptation {
   const Schedule& schedule_;
   std::map<Pair, Stages> stages_;
   std::map<Pair, Trade> trades_;
-  bool lockstep_is_spent_ = false;
+  bool lockstep_is_spent_ = false;  // what it has left is for others
   std::uint64_t windows_grown_ = 0;
   std::uint64_t robots_taken_in_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "common/planning/random.h"
 #include "common/planning/region.h"
@@ -61,6 +62,11 @@ bool SubproblemFactory::uses_roadmap(RobotId robot) const {
 
 bool SubproblemFactory::is_mobile(RobotId robot) const {
   return world_.scene().robot(robot).model->translations() > 0;
+}
+
+bool SubproblemFactory::can_move_in_lockstep(RobotId a, RobotId b) const {
+  return world_.radius(a) && world_.radius(b) &&
+         world_.scene().robot(a).model->dof() == world_.scene().robot(b).model->dof();
 }
 
 double SubproblemFactory::body_size(RobotId id) const {
@@ -123,11 +129,14 @@ Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& gro
   cut(conflict, growth, schedule, board, members, out);
   if (growth.crowd) {
     // Those who stand by may have to make way.
-    for (const RobotId near : robots_near(out, board)) {
-      if (!growth.lockstep || world_.radius(near)) members.insert(near);
+    members.merge(robots_near(out, board));
+    if (growth.lockstep) {
+      std::erase_if(members,
+                    [&](RobotId robot) { return !can_move_in_lockstep(robot, conflict.first); });
     }
     cut(conflict, growth, schedule, board, members, out);
   }
+  if (growth.lockstep) return out;
   add_outsiders(schedule, board, growth.to_the_end, growth.shortsighted, out);
   return out;
 }
@@ -265,9 +274,13 @@ std::set<RobotId> SubproblemFactory::robots_near(const Subproblem& subproblem,
                                                  const ConflictBoard& board) const {
   std::set<RobotId> near;
   std::vector<RobotId> found;
+  std::optional<Aabb> last;
   for (const Task& task : subproblem.tasks) {
-    board.grid().within(workspace(task.robot, task.region), subproblem.from, subproblem.horizon,
-                        found);
+    const Aabb box = workspace(task.robot, task.region);
+    // Where the regions are the whole space, they are one after the other the same.
+    if (last && last->min == box.min && last->max == box.max) continue;
+    last = box;
+    board.grid().within(box, subproblem.from, subproblem.horizon, found);
     near.insert(found.begin(), found.end());
   }
   for (const Task& task : subproblem.tasks) near.erase(task.robot);

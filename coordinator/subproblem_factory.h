@@ -21,7 +21,7 @@ struct Growth {
   unsigned window = 0;         // doublings of the time window and of the region's margin
   bool shortsighted = false;   // outsiders are avoided only until shortly after the conflict
   bool crowd = false;          // many robots, which look a short time ahead
-  bool lockstep = false;       // a crowd too large for anything but moving in lockstep
+  bool lockstep = false;       // a crowd, discs or balls, that is too large for the levels
   bool to_the_end = false;     // the window ends with the paths, the region is the whole space
   std::set<RobotId> taken_in;  // robots beyond the conflicting pair
   unsigned attempts = 0;       // all in all
@@ -35,7 +35,8 @@ class SubproblemFactory {
   Subproblem create_initial(RobotId robot) const;
 
   // The subproblem of a conflict at a stage of growth. All robots not in it that come near are its
-  // outsiders. Requires: no pair of its robots is in conflict before conflict.time.
+  // outsiders, but for a crowd in lockstep, which looks out for nobody. Requires: no pair of its
+  // robots is in conflict before conflict.time.
   Subproblem create(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
                     const ConflictBoard& board) const;
 
@@ -53,6 +54,9 @@ class SubproblemFactory {
 
   // Whether a robot can leave where it is, as arms cannot.
   bool is_mobile(RobotId robot) const;
+
+  // Whether both are discs or both are balls.
+  bool can_move_in_lockstep(RobotId a, RobotId b) const;
 
   // Time (s) in which a robot moves by about its own size: the unit of windows.
   double own_time(RobotId robot) const;

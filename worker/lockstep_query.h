@@ -1,6 +1,10 @@
-// For large crowds of discs or balls, before the hierarchy's levels: all robots to their goals in
-// lockstep on a lattice, then each path shortened among the others. Cares about everyone having a
-// path first, and about good paths second, where the levels would take too long.
+// For crowds of discs or balls that are too large for the hierarchy's levels, before all of them:
+// the whole crowd to its goals in lockstep, on a lattice laid over its space. Finds everyone a way
+// in a time that grows little faster than the crowd, at the price of ways that are longer.
+//
+// Whoever has not arrived when no more do goes on to its goal as if alone, and nobody looks out for
+// robots outside the crowd: these conflicts, few among robots that have mostly parked, are left to
+// later subproblems, for the levels to resolve.
 #pragma once
 
 #include "worker/solver.h"

@@ -16,10 +16,9 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
 }
 
 const std::vector<std::string>& local_solver_names() {
-  static const std::vector<std::string> names{std::string(LockstepQuery::kName),
-                                              std::string(PrioritizedQuery::kName),
-                                              std::string(DecoupledPrm::kName),
-                                              std::string(CompositePrm::kName)};
+  static const std::vector<std::string> names{
+      std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
+      std::string(DecoupledPrm::kName), std::string(CompositePrm::kName)};
   return names;
 }
 

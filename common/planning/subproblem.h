@@ -59,7 +59,9 @@ struct Subproblem {
   // s: the team's robots keep clear of each other until then, at least until all have arrived where
   // it is infinite.
   double clear_until = std::numeric_limits<double>::infinity();
-  bool lockstep = false;            // too many robots for anything but moving all in lockstep
+  // Too many robots for the hierarchy's levels: all go to the ends of their paths in lockstep, and
+  // may still run into others where they do not arrive so (see LockstepQuery).
+  bool lockstep = false;
   bool whole = false;               // E' = E and Q' = Q: the last solver goes on to its own limit
   std::vector<Task> tasks;          // in the order of robot ids
   std::vector<Outsider> outsiders;  // in the order of robot ids
