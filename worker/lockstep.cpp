@@ -10,7 +10,8 @@
 namespace accord {
 namespace {
 
-// Steps in which nobody more has arrived, after which it is left at that.
+// Steps in which the robots have come no closer to their goals all in all, after which it is left
+// at that.
 constexpr std::uint64_t kPatience = 12;
 // Moves that may be considered in a step, for each robot: backtracking must not run away.
 constexpr std::uint64_t kMovesPerRobot = 60;
@@ -74,15 +75,13 @@ bool Lockstep::run(const std::atomic<bool>& stop) {
   std::ranges::stable_sort(order_, std::greater{},
                            [&](std::size_t i) { return agents_[i].ways.cost(agents_[i].at); });
   for (Agent& agent : agents_) agent.steps = {agent.place()};
-  std::size_t most = 0;
-  for (std::uint64_t last = 0; most < agents_.size() && !stop;) {
+  std::uint64_t least = cost_left();
+  for (std::uint64_t last = 0; least > 0 && steps_ <= last + kPatience && !stop;) {
     step();
     for (Agent& agent : agents_) agent.steps.push_back(agent.place());
-    if (arrived() > most || most == 0) {
-      most = arrived();
-      last = steps_;
-    }
-    if (steps_ > last + kPatience) break;
+    if (cost_left() >= least) continue;
+    least = cost_left();
+    last = steps_;
   }
   return true;
 }
@@ -105,9 +104,10 @@ std::vector<std::vector<Vec3>> Lockstep::ways_left() const {
   return ways;
 }
 
-std::size_t Lockstep::arrived() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(agents_, [](const Agent& agent) { return agent.has_arrived(); }));
+std::uint64_t Lockstep::cost_left() const {
+  std::uint64_t sum = 0;
+  for (const Agent& agent : agents_) sum += agent.ways.cost(agent.at);
+  return sum;
 }
 
 void Lockstep::step() {

@@ -41,7 +41,7 @@ class Lockstep {
            const std::vector<Traveller>& travellers, std::uint64_t seed);
   ~Lockstep();
 
-  // Moves all until no more arrive, or `stop`. False: someone has no way to its goal.
+  // Moves all until they get no closer to their goals, or `stop`. False: someone has no way to its goal.
   bool run(const std::atomic<bool>& stop);
 
   // Afterwards, of each traveller: where it was before the first step and after each.
@@ -71,7 +71,7 @@ class Lockstep {
   double distance_to_keep(const Agent& a, const Agent& b) const;
   void choose(std::size_t i, Node to);
   void undo(std::size_t decisions);
-  std::size_t arrived() const;
+  std::uint64_t cost_left() const;
 
   const CollisionWorld& world_;
   const Lattice& lattice_;

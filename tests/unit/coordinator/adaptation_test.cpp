@@ -23,11 +23,11 @@ class AdaptationTest : public ::testing::Test {
   }
 
   // Discs that all want to cross the same place at the same time.
-  void build_crowd() {
-    testing::SceneBuilder builder(-50, -50, 50, 50);
-    for (int i = 0; i < 8; ++i) {
-      const double angle = 2 * std::numbers::pi * i / 8;
-      const double x = 5 * std::cos(angle), y = 5 * std::sin(angle);
+  void build_crowd(int robots = 8, double radius = 5) {
+    testing::SceneBuilder builder(-70, -70, 70, 70);
+    for (int i = 0; i < robots; ++i) {
+      const double angle = 2 * std::numbers::pi * i / robots;
+      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
       builder.disk(0.5, {x, y}, {-x, -y});
     }
     build(builder);
@@ -143,6 +143,35 @@ TEST_F(AdaptationTest, FallsBackToTheCostlyLocalSolutionWhereTheCrowdFails) {
   ASSERT_TRUE(grow());  // the crowd's subproblem was exhausted
   EXPECT_FALSE(growth().crowd);
   EXPECT_FALSE(adaptation_->prefers_crowd(first(), local, delayed(local, 10), *board_));
+}
+
+class LargeCrowd : public AdaptationTest {
+ protected:
+  LargeCrowd() {
+    build_crowd(301, 60);
+    const Subproblem local = subproblem();
+    EXPECT_TRUE(adaptation_->prefers_crowd(first(), local, delayed(local, 10), *board_));
+  }
+};
+
+TEST_F(LargeCrowd, MovesInLockstepToItsGoalsAndLooksOutForNobody) {
+  const Subproblem all = subproblem();
+  EXPECT_TRUE(all.lockstep);
+  EXPECT_FALSE(all.is_crowd());
+  EXPECT_EQ(all.tasks.size(), 301u);
+  EXPECT_TRUE(all.outsiders.empty());
+  for (const Task& task : all.tasks) EXPECT_EQ(task.goal, scene_->robot(task.robot).goal);
+}
+
+TEST_F(LargeCrowd, LooksAShortTimeAheadWhereLockstepHasFailed) {
+  ASSERT_TRUE(grow());
+  EXPECT_FALSE(subproblem().lockstep);
+  EXPECT_TRUE(subproblem().is_crowd());
+}
+
+TEST_F(LargeCrowd, LeavesWhatLockstepHasLeftToTheLevels) {
+  adaptation_->note_resolved(first(), subproblem());
+  EXPECT_FALSE(subproblem().lockstep);
 }
 
 }  // namespace

@@ -105,6 +105,14 @@ Problem crowd() {
   return problem;
 }
 
+Problem crowd_in_lockstep() {
+  Problem problem = crowd();
+  problem.subproblem.outsiders.clear();
+  problem.subproblem.clear_until = std::numeric_limits<double>::infinity();
+  problem.subproblem.lockstep = true;
+  return problem;
+}
+
 using Case = std::tuple<std::string, Problem (*)()>;
 
 class SolverContract : public ::testing::TestWithParam<Case> {
@@ -147,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::ValuesIn(local_solver_names()),
                        ::testing::Values(crossing_discs, swapping_discs_and_a_passer_by,
                                          discs_in_a_corridor_with_a_pocket, swapping_carts,
-                                         arms_that_change_sides, crowd)));
+                                         arms_that_change_sides, crowd, crowd_in_lockstep)));
 
 // The suite must be able to fail: a solver that hands the guides back is caught.
 TEST(SolverContractItself, CatchesASolverThatIgnoresConflicts) {
@@ -172,6 +180,7 @@ TEST(Hierarchy, EachLevelSolvesWhatTheOnesBeforeItCannot) {
   EXPECT_EQ(solver_of(swapping_discs_and_a_passer_by), "decoupled-prm");
   EXPECT_EQ(solver_of(discs_in_a_corridor_with_a_pocket), "composite-prm");
   EXPECT_EQ(solver_of(crowd), "prioritized-query");
+  EXPECT_EQ(solver_of(crowd_in_lockstep), "lockstep-query");
 }
 
 }  // namespace
