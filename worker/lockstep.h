@@ -41,7 +41,8 @@ class Lockstep {
            const std::vector<Traveller>& travellers, std::uint64_t seed);
   ~Lockstep();
 
-  // Moves all until they get no closer to their goals, or `stop`. False: someone has no way to its goal.
+  // Moves all until they get no closer to their goals, or `stop`. False: someone has no way to its
+  // goal.
   bool run(const std::atomic<bool>& stop);
 
   // Afterwards, of each traveller: where it was before the first step and after each.

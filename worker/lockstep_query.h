@@ -2,9 +2,9 @@
 // the whole crowd to its goals in lockstep, on a lattice laid over its space. Finds everyone a way
 // in a time that grows little faster than the crowd, at the price of ways that are longer.
 //
-// Whoever has not arrived when the crowd gets no closer to its goals goes on to its goal as if alone, and nobody looks out for
-// robots outside the crowd: these conflicts, few among robots that have mostly parked, are left to
-// later subproblems, for the levels to resolve.
+// Whoever has not arrived when the crowd gets no closer to its goals goes on to its goal as if
+// alone, and nobody looks out for robots outside the crowd: these conflicts, few among robots that
+// have mostly parked, are left to later subproblems, for the levels to resolve.
 #pragma once
 
 #include "worker/solver.h"
