@@ -204,7 +204,8 @@ class SamePlan(SystemTest):
         return re.sub(r'"(\w+_time)":\s*[-+.e\d]+', r'"\1": 0', path.read_text())
 
     def test_for_one_two_and_three_workers(self):
-        for name in ("adaptive-mobile", "high-manipulator-2", "random-crossing-0032"):
+        for name in ("adaptive-mobile", "high-manipulator-2", "random-crossing-0032", "fleet-0250",
+                     "fleet-0500"):
             scene = SCENES / f"{name}.yaml"
             texts = [self.without_times(self.plan(scene, "--workers", workers))
                      for workers in (1, 2, 3)]
