@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 #include <set>
+#include <stdexcept>
 
 #include <spdlog/spdlog.h>
 
@@ -42,12 +43,12 @@ ArcOutcome Arc::run() {
   statistics_.conflicts_found = board.conflicts().size();
   const std::uint64_t most_commits = kCommitsPerRobot * (schedule_.size() + 10);
   while (!board.empty()) {
-    if (stop_) return stopped();
+    if (stop_) return stopped(scene(), board);
     report(Progress::Phase::kConflicts);
     std::vector<Job> jobs = choose(board);
     ++statistics_.rounds;
     solve(jobs);
-    if (stop_) return stopped();
+    if (stop_) return stopped(scene(), board);
     for (const Job& job : jobs) {
       record(job);
       log(job);
@@ -59,10 +60,12 @@ ArcOutcome Arc::run() {
       if (!is_left(job)) {
         adaptation_.note_resolved(job.conflict, job.subproblem);
       } else if (!adaptation_.grow(job.conflict, job.subproblem, job.in_the_way, board)) {
-        return infeasible(job);
+        return unresolved(scene(), job.conflict, job.subproblem);
       }
     }
-    if (statistics_.conflicts_resolved > most_commits) return infeasible(jobs.front());
+    if (!board.empty() && statistics_.conflicts_resolved > most_commits) {
+      return given_up(scene(), board, statistics_.conflicts_resolved);
+    }
   }
   statistics_.pair_checks = board.pair_checks();
   statistics_.windows_grown = adaptation_.windows_grown();
@@ -73,13 +76,16 @@ ArcOutcome Arc::run() {
 
 // UpdateSolution: splices the local paths in, and looks for conflicts where paths have changed.
 void Arc::commit(const Job& job, ConflictBoard& board) {
-  schedule_.commit(job.subproblem, job.resolution);
+  if (!schedule_.commit(job.subproblem, job.resolution)) {
+    throw std::logic_error(job.resolution.solver + " returned paths that do not fit their window");
+  }
   std::vector<RobotId> changed;
   for (const Task& task : job.subproblem.tasks) {
     if (schedule_.version(task.robot) != task.version) changed.push_back(task.robot);
   }
   const std::size_t before = board.size();
   board.update(changed, job.subproblem.from);
+  ++statistics_.solved_by[job.resolution.solver];
   statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
   ++statistics_.conflicts_resolved;
 }
@@ -107,16 +113,13 @@ std::optional<ArcOutcome> Arc::plan_initial_paths() {
     }
     std::ranges::move(workforce_.solve(own, stop_),
                       found.begin() + static_cast<std::ptrdiff_t>(first));
-    if (stop_) return stopped();
+    if (stop_) return stopped_alone(scene(), {static_cast<std::uint32_t>(first)});
     robots_planned_ = first + count;
   }
   for (std::uint32_t id = 0; id < robots; ++id) {
     statistics_.effort += found[id].effort;
     if (!found[id].solved) {
-      const Robot& robot = planning_.scene().robot({id});
-      return ArcOutcome{PlanStatus::kInfeasible,
-                        "no way from start to goal was found for robot \"" + robot.name +
-                            "\" on its own, on the largest roadmap of its configuration space"};
+      return no_way_alone(scene(), {id});
     }
     statistics_.lower_bound += found[id].end;
     if (found[id].roadmap_level >= 0) factory_.use_roadmap({id}, found[id].roadmap_level);
@@ -206,18 +209,14 @@ std::vector<RobotId> Arc::hit_by(const Job& job, const Resolution& resolution) c
 void Arc::record(const Job& job) {
   ++statistics_.subproblems;
   statistics_.effort += job.resolution.effort;
-  if (job.resolution.solved || job.resolution.improves()) {
-    ++statistics_.solved_by[job.resolution.solver];
-  } else {
-    ++statistics_.exhausted;
-  }
+  if (!job.resolution.solved && !job.resolution.improves()) ++statistics_.exhausted;
 }
 
 void Arc::log(const Job& job) const {
   if (!spdlog::should_log(spdlog::level::debug)) return;
   std::string robots;
   for (const Task& task : job.subproblem.tasks) {
-    robots += (robots.empty() ? "" : ", ") + planning_.scene().robot(task.robot).name;
+    robots += (robots.empty() ? "" : ", ") + scene().robot(task.robot).name;
   }
   std::string outcome = job.resolution.solver;
   if (!job.resolution.solved) outcome = "exhausted";
@@ -238,21 +237,6 @@ void Arc::report(Progress::Phase phase) {
   if (!progress_) return;
   progress_({phase, robots_planned_, statistics_.conflicts_found, statistics_.conflicts_resolved,
              statistics_.rounds});
-}
-
-ArcOutcome Arc::stopped() const {
-  return {PlanStatus::kCancelled, "stopped"};
-}
-
-ArcOutcome Arc::infeasible(const Job& job) const {
-  std::string robots;
-  for (const Task& task : job.subproblem.tasks) {
-    if (!robots.empty()) robots += ", ";
-    robots += "\"" + planning_.scene().robot(task.robot).name + "\"";
-  }
-  return {PlanStatus::kInfeasible,
-          "the conflict of robots " + robots + " at " + std::to_string(job.conflict.time) +
-              " s could not be resolved, even planned together from start to goal"};
 }
 
 }  // namespace accord

@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
-#include "common/model/plan.h"
 #include "common/planning/schedule.h"
 #include "coordinator/adaptation.h"
+#include "coordinator/arc_outcome.h"
 #include "coordinator/conflict_board.h"
 #include "coordinator/progress.h"
 #include "coordinator/subproblem_factory.h"
@@ -38,16 +38,11 @@ struct ArcStatistics {
   std::uint64_t windows_grown = 0;
   std::uint64_t robots_taken_in = 0;
   std::uint64_t pair_checks = 0;
-  std::map<std::string, std::uint64_t> solved_by;  // solver name -> subproblems
+  std::map<std::string, std::uint64_t> solved_by;  // solver name -> resolutions committed
   Effort effort;
   double initial_time = 0;   // s, wall clock
   double conflict_time = 0;  // s
   double lower_bound = 0;    // s: sum of the robots' own paths' durations
-};
-
-struct ArcOutcome {
-  PlanStatus status;    // solved, infeasible or cancelled (stop became true)
-  std::string message;  // why not solved
 };
 
 class Arc {
@@ -57,6 +52,7 @@ class Arc {
   Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
       Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress);
 
+  // Throws std::logic_error when the workforce breaks its contract.
   ArcOutcome run();
   const Schedule& schedule() const { return schedule_; }
   const ArcStatistics& statistics() const { return statistics_; }
@@ -80,8 +76,7 @@ class Arc {
   // One line a subproblem, for who wants to see why planning takes as long as it does.
   void log(const Job& job) const;
   void report(Progress::Phase phase);
-  ArcOutcome stopped() const;
-  ArcOutcome infeasible(const Job& job) const;
+  const Scene& scene() const { return planning_.scene(); }
 
   const CollisionWorld& planning_;
   const CollisionWorld& detection_;

@@ -68,7 +68,7 @@ class CompositeRoadmap {
 
   void grow(Resolution& resolution, const std::atomic<bool>& stop) {
     const std::size_t limit =
-        subproblem_.limits.composite_nodes * (subproblem_.whole ? kWholeFactor : 1);
+        subproblem_.limits.composite_nodes * (subproblem_.is_last() ? kWholeFactor : 1);
     std::size_t search_at = 0;
     Configuration q(team_.dof());
     while (!stop) {
@@ -76,7 +76,7 @@ class CompositeRoadmap {
         if (search(resolution, stop)) return;
         search_at = roadmap_.size() + roadmap_.size() / 4 + 8;
       }
-      if (roadmap_.size() >= limit || (!subproblem_.whole && evolution_.has_settled())) return;
+      if (roadmap_.size() >= limit || (!subproblem_.is_last() && evolution_.has_settled())) return;
       if (!sample(q, stop)) return;
       insert(q);
     }

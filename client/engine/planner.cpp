@@ -102,11 +102,10 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
   const ArcOutcome outcome = arc.run();
   plan.status = outcome.status;
   plan.message = outcome.message;
-  if (watchdog.timed_out() && outcome.status == PlanStatus::kCancelled) {
-    plan.status = PlanStatus::kTimeout;
-    plan.message = "the deadline passed with " +
-                   std::to_string(arc.statistics().conflicts_resolved) + " conflicts resolved of " +
-                   std::to_string(arc.statistics().conflicts_found) + " found";
+  if (outcome.status == PlanStatus::kCancelled) {
+    if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
+    plan.message =
+        (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
   fill_statistics(arc.statistics(), arc.statistics().conflict_time, plan);
   if (plan.status == PlanStatus::kSolved) {

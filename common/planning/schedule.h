@@ -42,7 +42,7 @@ class Schedule {
   // leave the window together; that makes everyone wait for the slowest, and what a robot meets on
   // its tail is found by the next scan either way.)
   // False, and nothing changes, when a version differs or the local paths do not fit the window.
-  bool commit(const Subproblem& subproblem, const Resolution& resolution);
+  [[nodiscard]] bool commit(const Subproblem& subproblem, const Resolution& resolution);
 
  private:
   struct Entry {

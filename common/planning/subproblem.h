@@ -62,11 +62,13 @@ struct Subproblem {
   // Too many robots for the hierarchy's levels: all go to the ends of their paths in lockstep, and
   // may still run into others where they do not arrive so (see LockstepQuery).
   bool lockstep = false;
-  bool whole = false;               // E' = E and Q' = Q: the last solver goes on to its own limit
+  bool whole = false;               // E' = E and Q' = Q
   std::vector<Task> tasks;          // in the order of robot ids
   std::vector<Outsider> outsiders;  // in the order of robot ids
   SolverLimits limits;
 
+  // Nothing is left to grow: the last solver goes on to its own limit.
+  bool is_last() const { return whole && outsiders.empty(); }
   // Many robots that look a short time ahead.
   bool is_crowd() const { return clear_until < std::numeric_limits<double>::infinity(); }
 };

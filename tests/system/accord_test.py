@@ -180,7 +180,9 @@ class ExitCodes(SystemTest):
     def test_timeout(self):
         result = accord("plan", SCENES / "fleet-1000.yaml", "--timeout", "0.01", "--json")
         self.assert_exit(TIMEOUT, result)
-        self.assertEqual("timeout", json.loads(result.stdout)["status"])
+        plan = json.loads(result.stdout)
+        self.assertEqual("timeout", plan["status"])
+        self.assertRegex(plan["message"], r'^the deadline passed .*"r\d+"')
 
     def test_a_refuted_plan(self):
         scene = self.scene()
