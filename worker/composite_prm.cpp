@@ -23,8 +23,8 @@ constexpr std::size_t kNeighbours = 12;
 // guide), which hold still while others pass; the rest from the region.
 constexpr std::size_t kFromRoadmapInTen = 4;
 constexpr std::size_t kTriesPerNode = 20;
-// At E' = E and Q' = Q the search goes on to so many times the nodes, productive or not.
-constexpr std::size_t kWholeFactor = 20;
+// Where nothing is left to grow the search goes on to so many times the nodes, productive or not.
+constexpr std::size_t kWholeFactor = 50;
 
 class CompositeRoadmap {
  public:
