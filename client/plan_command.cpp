@@ -60,15 +60,6 @@ Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const Command
   return plan(scene, request, report, &interrupt_flag());
 }
 
-// Proves the plan once more, as it is about to be written.
-Verdict prove(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads) {
-  Verdict verdict = verify(scene, plan, threads);
-  if (!verdict.proved()) {
-    throw std::logic_error("the plan does not hold: " + verdict.violation->text);
-  }
-  return verdict;
-}
-
 void log_to_stderr(spdlog::level::level_enum least) {
   const auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
   auto logger = std::make_shared<spdlog::logger>("accord", sink);
@@ -81,19 +72,17 @@ ExitCode run(const CommandOptions& options) {
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
   const Plan plan = plan_with_progress(scene, options);
-  std::optional<Verdict> verdict;
-  if (plan.status == PlanStatus::kSolved) verdict = prove(scene, plan, options.plan.workers);
-
   const std::string json = to_json(plan);
   if (!options.output.empty() && !write_file_or_explain(options.output, json)) {
     return ExitCode::kBadInput;
   }
+  const bool solved = plan.status == PlanStatus::kSolved;
   if (options.json) {
     std::cout << json;
-  } else if (verdict && !options.quiet) {
-    std::cout << solved_text(*scene, plan, *verdict);
+  } else if (solved && !options.quiet) {
+    std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.workers));
   }
-  if (!verdict) std::cerr << unsolved_text(plan);
+  if (!solved) std::cerr << unsolved_text(plan);
   return exit_code_of(plan.status);
 }
 

@@ -29,7 +29,8 @@ ExitCode run(const VerifyOptions& options) {
   if (!plan) return ExitCode::kBadInput;
 
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  const Verdict verdict = verify(scene, *plan, threads);
+  const Verdict verdict =
+      verify(scene, *plan, threads, options.quiet ? Beyond::kNothing : Beyond::kSeparations);
   if (!verdict.proved()) {
     std::cout << "refuted: " << verdict.violation->text << '\n';
     return ExitCode::kInfeasible;

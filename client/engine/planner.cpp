@@ -112,7 +112,7 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
     fill_robots(*scene, arc.schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});
     const auto proof_begin = Clock::now();
-    const Verdict verdict = verify(scene, plan, options.workers);
+    const Verdict verdict = verify(scene, plan, options.workers, Beyond::kNothing);
     if (!verdict.proved()) {
       throw std::logic_error("the planner made a plan that does not hold: " +
                              verdict.violation->text);

@@ -35,7 +35,8 @@ Verdict refuted(Violation violation) {
 
 }  // namespace
 
-Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads) {
+Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads,
+               Beyond beyond) {
   threads = std::max(threads, 1U);
   if (auto violation = check_form(*scene, plan)) return refuted(*std::move(violation));
 
@@ -49,6 +50,7 @@ Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsi
   }
   if (!earliest) earliest = check_costs(*scene, plan);
   if (earliest) return refuted(*std::move(earliest));
+  if (beyond == Beyond::kNothing) return {};
 
   return {std::nullopt, robots_separation(subject, slabs, pairs.sampled_separation, threads),
           obstacles_separation(subject, threads)};

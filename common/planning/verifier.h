@@ -50,15 +50,20 @@ struct Separation {
 
 struct Verdict {
   std::optional<Violation> violation;  // the earliest; nullopt: the plan is proved
-  // The smallest separations, where anything comes closer than 1 m; only for proved plans.
+  // The smallest separations, where anything comes closer than 1 m; only for proved plans, and only
+  // where asked for.
   std::optional<Separation> robots;
   std::optional<Separation> obstacles;
 
   bool proved() const { return !violation; }
 };
 
+// What else is worked out of a plan that holds: the smallest separations cost more than the proof.
+enum class Beyond { kNothing, kSeparations };
+
 // Requires: the scene passed io's checks. Any plan is acceptable input. `threads` changes only the
 // time it takes. Thread safe.
-Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads = 1);
+Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads = 1,
+               Beyond beyond = Beyond::kSeparations);
 
 }  // namespace accord

@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t kQueryBudget = 100'000;  // over all robots, or all slabs
 constexpr std::size_t kLeastBudget = 64;       // for each of them
+// What is looked for may be so much farther than a sample, so that where that was taken is found
+// again.
+constexpr double kAboveSample = 1e-5;  // m
 
 std::size_t share_of_budget(std::size_t sharers) {
   return std::max(kLeastBudget, kQueryBudget / std::max<std::size_t>(sharers, 1));
@@ -131,13 +134,27 @@ std::optional<PairClosest> closest_in_slab(const Subject& subject, const TimeSla
   return best;
 }
 
-// The closest that one robot comes to an obstacle.
-std::optional<Closest> closest_to_obstacles(const Subject& subject, RobotId id) {
+// The smallest distance from an obstacle at any waypoint, at most the cutoff.
+double sampled_obstacle_distance(const Subject& subject) {
+  double smallest = kSeparationCutoff;
+  for (std::uint32_t r = 0; r < subject.robots(); ++r) {
+    const Trajectory& path = subject.path(RobotId{r});
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const double here =
+          subject.world.obstacle_distance(RobotId{r}, path.configuration(i), smallest);
+      smallest = std::min(smallest, here);
+    }
+  }
+  return smallest;
+}
+
+// The closest that one robot comes to an obstacle, if that is below `upper`.
+std::optional<Closest> closest_to_obstacles(const Subject& subject, RobotId id, double upper) {
   const Trajectory& path = subject.path(id);
   const auto distance = [&](std::size_t, double t, double cutoff) {
     return subject.world.obstacle_distance(id, path.at(t), cutoff);
   };
-  Bisection bisection(distance, kSeparationCutoff, share_of_budget(subject.robots()));
+  Bisection bisection(distance, upper, share_of_budget(subject.robots()));
   if (path.size() == 1) bisection.add(0, path.start_time(), path.end_time(), 0);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     bisection.add(i, path.time(i), path.time(i + 1),
@@ -162,8 +179,7 @@ std::string nearest_obstacle(const Subject& subject, RobotId id, ConfigurationVi
 
 std::optional<Separation> robots_separation(const Subject& subject, const TimeSlabs& slabs,
                                             double sampled, unsigned threads) {
-  // A little more than the sample, so that where it was taken is found again.
-  const double upper = sampled + 1e-5;
+  const double upper = sampled + kAboveSample;
   std::vector<std::optional<PairClosest>> results(slabs.count());
   parallel_for(slabs.count(), threads, [&](std::size_t slab) {
     results[slab] = closest_in_slab(subject, slabs, slab, upper);
@@ -178,9 +194,12 @@ std::optional<Separation> robots_separation(const Subject& subject, const TimeSl
 }
 
 std::optional<Separation> obstacles_separation(const Subject& subject, unsigned threads) {
+  const double upper = std::min(sampled_obstacle_distance(subject) + kAboveSample,  //
+                                kSeparationCutoff);
   std::vector<std::optional<Closest>> results(subject.robots());
   parallel_for(subject.robots(), threads, [&](std::size_t robot) {
-    results[robot] = closest_to_obstacles(subject, RobotId{static_cast<std::uint32_t>(robot)});
+    const RobotId id{static_cast<std::uint32_t>(robot)};
+    results[robot] = closest_to_obstacles(subject, id, upper);
   });
   std::optional<Closest> best;
   RobotId id;
