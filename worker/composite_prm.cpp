@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "common/planning/random.h"
-#include "common/planning/region.h"
-#include "worker/continuation.h"
-#include "worker/decoupled_roadmaps.h"
+#include "worker/composite_space.h"
 #include "worker/local_roadmap.h"
 #include "worker/path_shortening.h"
 #include "worker/roadmap_evolution.h"
@@ -19,9 +16,6 @@ namespace {
 constexpr LocalRoadmap::Node kStart = 0;
 constexpr LocalRoadmap::Node kGoal = 1;
 constexpr std::size_t kNeighbours = 12;
-// Of each robot's part of a sample, so many in ten come from its own roadmap's places (start, goal,
-// guide), which hold still while others pass; the rest from the region.
-constexpr std::size_t kFromRoadmapInTen = 4;
 constexpr std::size_t kTriesPerNode = 20;
 // Where nothing is left to grow the search goes on to so many times the nodes, productive or not.
 constexpr std::size_t kWholeFactor = 50;
@@ -31,10 +25,9 @@ class CompositeRoadmap {
   CompositeRoadmap(const Workspace& workspace, const Subproblem& subproblem)
       : subproblem_(subproblem),
         team_(workspace.world(), members(subproblem), subproblem.from),
-        places_(workspace, subproblem),
+        sampler_(workspace, subproblem),
         roadmap_(team_),
-        evolution_(subproblem.limits.composite_window_per_dof * team_.dof()),
-        random_(combine({subproblem.seed, 0x636f6d70})) {
+        evolution_(subproblem.limits.composite_window_per_dof * team_.dof()) {
     team_.avoid_outsiders(subproblem);
   }
 
@@ -48,18 +41,8 @@ class CompositeRoadmap {
   }
 
  private:
-  static std::vector<RobotId> members(const Subproblem& subproblem) {
-    std::vector<RobotId> robots;
-    for (const Task& task : subproblem.tasks) robots.push_back(task.robot);
-    return robots;
-  }
-
   bool add_ends() {
-    Configuration start, goal;
-    for (const Task& task : subproblem_.tasks) {
-      start.insert(start.end(), task.start.begin(), task.start.end());
-      goal.insert(goal.end(), task.goal.begin(), task.goal.end());
-    }
+    const Configuration start = joint_start(subproblem_), goal = joint_goal(subproblem_);
     if (!team_.is_free(start) || !team_.is_free(goal)) return false;
     insert(start);
     insert(goal);
@@ -83,52 +66,20 @@ class CompositeRoadmap {
   }
 
   bool search(Resolution& resolution, const std::atomic<bool>& stop) {
-    double hold = subproblem_.from;
-    for (const Task& task : subproblem_.tasks) {
-      hold = std::max(hold, hold_until(subproblem_, task));
-    }
-    const SearchRequest request{kStart,
-                                kGoal,
-                                subproblem_.from,
-                                hold,
-                                subproblem_.limits.query_expansions,
-                                subproblem_.limits.query_checks};
+    const SearchRequest request = joint_request(subproblem_, kStart, kGoal);
     ++resolution.effort.searches;
     auto found = safe_interval_search(team_, roadmap_, request, stop, resolution.effort.expansions);
     if (!found) return false;
     shorten(team_, request, *found, stop, resolution.effort);
-    resolution.solved = true;
-    resolution.end = found->end_time();
-    resolution.paths.clear();
-    for (std::size_t i = 0; i < team_.size(); ++i) resolution.paths.push_back(part(*found, i));
+    set_joint_path(team_, *found, resolution);
     return true;
-  }
-
-  Trajectory part(const Trajectory& path, std::size_t member) const {
-    Trajectory out(subproblem_.tasks[member].start.size());
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      out.append(path.time(i), team_.part(path.configuration(i), member));
-    }
-    return out;
   }
 
   // A free composite configuration.
   bool sample(Configuration& q, const std::atomic<bool>& stop) {
     const std::size_t most = kTriesPerNode * subproblem_.limits.composite_nodes;
     for (std::size_t tries = 0; tries < most && !stop; ++tries) {
-      std::size_t offset = 0;
-      for (std::size_t i = 0; i < team_.size(); ++i) {
-        const Task& task = subproblem_.tasks[i];
-        const std::span<double> mine(q.data() + offset, task.start.size());
-        offset += task.start.size();
-        if (random_.below(10) < kFromRoadmapInTen) {
-          const auto node = static_cast<LocalRoadmap::Node>(random_.below(places_.of(i).size()));
-          std::ranges::copy(places_.of(i).configuration(node), mine.begin());
-        } else {
-          sample_region(task.region, next_sample_, combine({subproblem_.seed, i, 0x73}), mine);
-        }
-      }
-      ++next_sample_;
+      sampler_.sample(q);
       if (team_.is_free(q)) return true;
     }
     return false;
@@ -164,11 +115,9 @@ class CompositeRoadmap {
 
   const Subproblem& subproblem_;
   Team team_;
-  DecoupledRoadmaps places_;
+  JointSampler sampler_;
   LocalRoadmap roadmap_;
   RoadmapEvolution evolution_;
-  RandomStream random_;
-  std::uint64_t next_sample_ = 0;
   std::uint64_t motion_checks_ = 0;
   std::vector<LocalRoadmap::Node> neighbours_;  // scratch
   Configuration target_;                        // scratch

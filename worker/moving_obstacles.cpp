@@ -177,7 +177,7 @@ void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& u
   }
 }
 
-std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
+std::optional<Interval> MovingObstacles::share(const Piece& piece, ConfigurationView a,
                                                ConfigurationView b, double t0, double t1) {
   const double lo = std::max(t0, piece.t0), hi = std::min(t1, piece.t1);
   if (lo >= hi) return std::nullopt;
@@ -191,9 +191,24 @@ std::optional<double> MovingObstacles::contact(const Piece& piece, Configuration
     interpolate(piece.from, piece.to, (lo - piece.t0) / length, other_from_);
     interpolate(piece.from, piece.to, (hi - piece.t0) / length, other_to_);
   }
+  return Interval{lo, hi};
+}
+
+std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
+                                               ConfigurationView b, double t0, double t1) {
+  const auto shared = share(piece, a, b, t0, t1);
+  if (!shared) return std::nullopt;
   ++checks_;
-  return world_.first_contact(robot_, {mine_from_, mine_to_, lo, hi}, piece.robot,
-                              {other_from_, other_to_, lo, hi});
+  return world_.first_contact(robot_, {mine_from_, mine_to_, shared->lo, shared->hi}, piece.robot,
+                              {other_from_, other_to_, shared->lo, shared->hi});
+}
+
+bool MovingObstacles::touches(const Piece& piece, ConfigurationView a, ConfigurationView b,
+                              double t0, double t1) {
+  if (!share(piece, a, b, t0, t1)) return false;
+  ++checks_;
+  return !world_.motions_are_clear(robot_, mine_from_, mine_to_, piece.robot, other_from_,
+                                   other_to_);
 }
 
 // The earliest departure from t on that is clear of the first piece that departing at t runs into;
@@ -258,7 +273,7 @@ MovingObstacles::Passage MovingObstacles::past_pieces(ConfigurationView a, Confi
   const Aabb bounds = world_.swept_bounds(robot_, a, b);
   for (const Piece& piece : pieces_) {
     if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
-    if (!contact(piece, a, b, t, t + duration)) continue;
+    if (!touches(piece, a, b, t, t + duration)) continue;
     return std::isinf(piece.t1) ? Passage::kBlockedForGood : Passage::kBlocked;
   }
   return Passage::kClear;

@@ -81,9 +81,15 @@ class MovingObstacles {
   // A motion into a robot that has parked stays blocked however late it departs.
   enum class Passage { kClear, kBlocked, kBlockedForGood };
   Passage past_pieces(ConfigurationView a, ConfigurationView b, double t, double duration);
+  // Cuts a motion over [t0, t1] and a piece to the time that both share, into the scratch
+  // configurations. nullopt: there is none.
+  std::optional<Interval> share(const Piece& piece, ConfigurationView a, ConfigurationView b,
+                                double t0, double t1);
   // First contact of a motion over [t0, t1] with a piece, within the time both share.
   std::optional<double> contact(const Piece& piece, ConfigurationView a, ConfigurationView b,
                                 double t0, double t1);
+  // Whether there is one; sooner told than when.
+  bool touches(const Piece& piece, ConfigurationView a, ConfigurationView b, double t0, double t1);
 
   const CollisionWorld& world_;
   RobotId robot_;

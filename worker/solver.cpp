@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "worker/composite_prm.h"
+#include "worker/composite_rrt_connect.h"
 #include "worker/decoupled_prm.h"
 #include "worker/lockstep_query.h"
 #include "worker/prioritized_query.h"
@@ -18,6 +19,14 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
 const std::vector<std::string>& local_solver_names() {
   static const std::vector<std::string> names{
       std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
+      std::string(DecoupledPrm::kName), std::string(CompositeRrtConnect::kName),
+      std::string(CompositePrm::kName)};
+  return names;
+}
+
+const std::vector<std::string>& default_solver_names() {
+  static const std::vector<std::string> names{
+      std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
       std::string(DecoupledPrm::kName), std::string(CompositePrm::kName)};
   return names;
 }
@@ -26,6 +35,7 @@ std::unique_ptr<Solver> make_solver(std::string_view name) {
   if (name == LockstepQuery::kName) return std::make_unique<LockstepQuery>();
   if (name == PrioritizedQuery::kName) return std::make_unique<PrioritizedQuery>();
   if (name == DecoupledPrm::kName) return std::make_unique<DecoupledPrm>();
+  if (name == CompositeRrtConnect::kName) return std::make_unique<CompositeRrtConnect>();
   if (name == CompositePrm::kName) return std::make_unique<CompositePrm>();
   return nullptr;
 }

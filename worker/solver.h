@@ -1,5 +1,5 @@
-// One way to solve a subproblem. Implementations: PrioritizedQuery, DecoupledPrm, CompositePrm,
-// and SolverHierarchy, which tries a list of them in order.
+// One way to solve a subproblem. Implementations: LockstepQuery, PrioritizedQuery, DecoupledPrm,
+// CompositeRrtConnect, CompositePrm, and SolverHierarchy, which tries a list of them in order.
 #pragma once
 
 #include <atomic>
@@ -33,9 +33,11 @@ class Solver {
                               const std::atomic<bool>& stop) const = 0;
 };
 
-// The names that make_solver() knows, in the paper's order: "prioritized-query", "decoupled-prm",
-// "composite-prm".
+// The names that make_solver() knows, least coupling first.
 const std::vector<std::string>& local_solver_names();
+// Those of the hierarchy unless told otherwise: "lockstep-query" for crowds too large for the
+// levels, and the paper's levels, "prioritized-query", "decoupled-prm" and "composite-prm".
+const std::vector<std::string>& default_solver_names();
 
 // nullptr for an unknown name.
 std::unique_ptr<Solver> make_solver(std::string_view name);

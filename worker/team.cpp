@@ -63,8 +63,8 @@ bool Team::is_free(ConfigurationView q) const {
 bool Team::motion_is_free(ConfigurationView a, ConfigurationView b) const {
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t j = i + 1; j < size(); ++j) {
-      if (world_.first_contact(members_[i], {part(a, i), part(b, i), 0, 1}, members_[j],
-                               {part(a, j), part(b, j), 0, 1})) {
+      if (!world_.motions_are_clear(members_[i], part(a, i), part(b, i), members_[j], part(a, j),
+                                    part(b, j))) {
         return false;
       }
     }

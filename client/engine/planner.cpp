@@ -90,7 +90,8 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
   const Watchdog watchdog(options.timeout, cancel);
   const CollisionWorld planning(scene, kPlanningMargin);
   const CollisionWorld detection(scene, kDetectionMargin);
-  LocalWorkforce workforce(planning, options.solvers.empty() ? solver_names() : options.solvers,
+  LocalWorkforce workforce(planning,
+                           options.solvers.empty() ? default_solver_names() : options.solvers,
                            std::max(1u, options.workers));
   const ProgressCallback report = thinned(progress);
   Arc arc(planning, detection, options.seed, workforce, watchdog.stop(), report);
@@ -104,8 +105,7 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
   plan.message = outcome.message;
   if (outcome.status == PlanStatus::kCancelled) {
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
-    plan.message =
-        (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
+    plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
   fill_statistics(arc.statistics(), arc.statistics().conflict_time, plan);
   if (plan.status == PlanStatus::kSolved) {

@@ -42,6 +42,20 @@ struct CollisionWorld::Impl {
     apart = ask([](const auto& core) { return core.apart(); });
   }
 
+  // Whether both are discs or balls.
+  bool are_round(RobotId a, RobotId b) const {
+    return radii[a.index()] >= 0 && radii[b.index()] >= 0;
+  }
+  // The u up to which two discs or balls keep apart on linear motions.
+  std::optional<double> round_contact(RobotId a, ConfigurationView from_a, ConfigurationView to_a,
+                                      RobotId b, ConfigurationView from_b,
+                                      ConfigurationView to_b) const {
+    ask([](const auto& core) { core.counter().add(1); });
+    const Vec3 from = point(from_b, planar.has_value()) - point(from_a, planar.has_value());
+    const Vec3 to = point(to_b, planar.has_value()) - point(to_a, planar.has_value());
+    return first_within(from, to - from, radii[a.index()] + radii[b.index()] + apart);
+  }
+
   std::optional<WorldCore<2>> planar;
   std::optional<WorldCore<3>> spatial;
   std::vector<double> radii;  // of discs and balls; negative for the rest
@@ -81,7 +95,15 @@ double CollisionWorld::separation(RobotId a, ConfigurationView qa, RobotId b, Co
 
 bool CollisionWorld::are_clear(RobotId a, ConfigurationView qa, RobotId b,
                                ConfigurationView qb) const {
-  return !first_contact(a, {qa, qa, 0, 1}, b, {qb, qb, 0, 1});
+  return motions_are_clear(a, qa, qa, b, qb, qb);
+}
+
+bool CollisionWorld::motions_are_clear(RobotId a, ConfigurationView from_a, ConfigurationView to_a,
+                                       RobotId b, ConfigurationView from_b,
+                                       ConfigurationView to_b) const {
+  if (impl_->are_round(a, b)) return !impl_->round_contact(a, from_a, to_a, b, from_b, to_b);
+  return impl_->ask(
+      [&](const auto& core) { return core.motions_are_clear(a, from_a, to_a, b, from_b, to_b); });
 }
 
 Fault CollisionWorld::closest(RobotId a, ConfigurationView qa, RobotId b,
@@ -91,15 +113,9 @@ Fault CollisionWorld::closest(RobotId a, ConfigurationView qa, RobotId b,
 
 std::optional<double> CollisionWorld::first_contact(RobotId a, const Motion& motion_a, RobotId b,
                                                     const Motion& motion_b) const {
-  const double radius_a = impl_->radii[a.index()];
-  const double radius_b = impl_->radii[b.index()];
   std::optional<double> u;
-  if (radius_a >= 0 && radius_b >= 0) {
-    const bool planar = impl_->planar.has_value();
-    const Vec3 from = point(motion_b.from, planar) - point(motion_a.from, planar);
-    const Vec3 to = point(motion_b.to, planar) - point(motion_a.to, planar);
-    u = first_within(from, to - from, radius_a + radius_b + impl_->apart);
-    impl_->ask([](const auto& core) { core.counter().add(1); });
+  if (impl_->are_round(a, b)) {
+    u = impl_->round_contact(a, motion_a.from, motion_a.to, b, motion_b.from, motion_b.to);
   } else {
     u = impl_->ask([&](const auto& core) {
       return core.first_contact(a, motion_a.from, motion_a.to, b, motion_b.from, motion_b.to);

@@ -105,6 +105,11 @@ class CollisionWorld {
   std::optional<double> first_contact(RobotId a, const Motion& motion_a, RobotId b,
                                       const Motion& motion_b) const;
 
+  // Whether two robots keep clearance and margin at every instant of linear motions over the same
+  // time. As first_contact(), but does not look for the first one, which takes longer.
+  bool motions_are_clear(RobotId a, ConfigurationView from_a, ConfigurationView to_a, RobotId b,
+                         ConfigurationView from_b, ConfigurationView to_b) const;
+
   // The distance that two robots' bodies must keep: clearance + margin.
   double required_separation() const;
 

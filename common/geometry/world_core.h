@@ -30,6 +30,8 @@ class WorldCore {
   std::optional<double> first_contact(RobotId a, ConfigurationView from_a, ConfigurationView to_a,
                                       RobotId b, ConfigurationView from_b,
                                       ConfigurationView to_b) const;
+  bool motions_are_clear(RobotId a, ConfigurationView from_a, ConfigurationView to_a, RobotId b,
+                         ConfigurationView from_b, ConfigurationView to_b) const;
   Extent<D> swept_bounds(RobotId robot, ConfigurationView a, ConfigurationView b) const;
 
   const Chain<D>& chain(RobotId robot) const { return chains_[robot.index()]; }
@@ -47,6 +49,9 @@ class WorldCore {
 
   // A thread's workspace with one robot's motion started in it.
   Work& begin(RobotId robot, ConfigurationView from, ConfigurationView to) const;
+  // The same with a second robot's and the pairs that may meet; nullptr where none may.
+  Work* begin_two(RobotId a, ConfigurationView from_a, ConfigurationView to_a, RobotId b,
+                  ConfigurationView from_b, ConfigurationView to_b) const;
   bool within_limits(RobotId robot, ConfigurationView q) const;
   // The u at which the motion leaves the limits; above 1 where it does not.
   double leaves_limits(RobotId robot, ConfigurationView a, ConfigurationView b) const;

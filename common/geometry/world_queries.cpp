@@ -105,23 +105,39 @@ Extent<D> WorldCore<D>::rough_extent(RobotId robot, ConfigurationView a,
 }
 
 template <int D>
+typename WorldCore<D>::Work* WorldCore<D>::begin_two(RobotId a, ConfigurationView from_a,
+                                                     ConfigurationView to_a, RobotId b,
+                                                     ConfigurationView from_b,
+                                                     ConfigurationView to_b) const {
+  const Extent<D> rough = rough_extent(a, from_a, to_a).inflated(apart_);
+  if (!rough.overlaps(rough_extent(b, from_b, to_b))) return nullptr;
+  Work& work = begin(a, from_a, to_a);
+  work.two = true;
+  work.second.start(chains_[b.index()], from_b, to_b);
+  add_robot_pairs(work);
+  return work.pairs.empty() ? nullptr : &work;
+}
+
+template <int D>
 std::optional<double> WorldCore<D>::first_contact(RobotId a, ConfigurationView from_a,
                                                   ConfigurationView to_a, RobotId b,
                                                   ConfigurationView from_b,
                                                   ConfigurationView to_b) const {
-  const Extent<D> rough = rough_extent(a, from_a, to_a).inflated(apart_);
-  if (!rough.overlaps(rough_extent(b, from_b, to_b))) return std::nullopt;
-  Work& work = begin(a, from_a, to_a);
-  const CountOnExit<D> counting(work, counter_);
-  work.two = true;
-  work.second.start(chains_[b.index()], from_b, to_b);
-  add_robot_pairs(work);
-  if (work.pairs.empty()) return std::nullopt;
-  if (swallowed(work)) return 0.0;
-  if (work.first.resting() && work.second.resting()) {  // the first pair in contact will do
-    return work.proves_free() ? std::nullopt : std::optional(0.0);
-  }
-  return work.first_contact();
+  Work* work = begin_two(a, from_a, to_a, b, from_b, to_b);
+  if (work == nullptr) return std::nullopt;
+  const CountOnExit<D> counting(*work, counter_);
+  if (swallowed(*work)) return 0.0;
+  return work->first_contact();
+}
+
+template <int D>
+bool WorldCore<D>::motions_are_clear(RobotId a, ConfigurationView from_a, ConfigurationView to_a,
+                                     RobotId b, ConfigurationView from_b,
+                                     ConfigurationView to_b) const {
+  Work* work = begin_two(a, from_a, to_a, b, from_b, to_b);
+  if (work == nullptr) return true;
+  const CountOnExit<D> counting(*work, counter_);
+  return !swallowed(*work) && work->proves_free();
 }
 
 template Extent<2> WorldCore<2>::rough_extent(RobotId, ConfigurationView, ConfigurationView) const;
@@ -142,6 +158,10 @@ template std::optional<double> WorldCore<3>::first_contact(RobotId, Configuratio
                                                            ConfigurationView, RobotId,
                                                            ConfigurationView,
                                                            ConfigurationView) const;
+template bool WorldCore<2>::motions_are_clear(RobotId, ConfigurationView, ConfigurationView,
+                                              RobotId, ConfigurationView, ConfigurationView) const;
+template bool WorldCore<3>::motions_are_clear(RobotId, ConfigurationView, ConfigurationView,
+                                              RobotId, ConfigurationView, ConfigurationView) const;
 template bool WorldCore<2>::within_limits(RobotId, ConfigurationView) const;
 template bool WorldCore<3>::within_limits(RobotId, ConfigurationView) const;
 template WorldCore<2>::Work& WorldCore<2>::begin(RobotId, ConfigurationView,

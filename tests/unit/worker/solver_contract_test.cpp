@@ -168,11 +168,20 @@ TEST(SolverContractItself, CatchesASolverThatIgnoresConflicts) {
   EXPECT_EQ(contract_breach(world, problem.subproblem, wrong), "two robots of the team meet");
 }
 
+TEST(CompositeRrtConnect, BacksOneDiscOutOfTheOthersWay) {
+  const Problem problem = discs_in_a_corridor_with_a_pocket();
+  const CollisionWorld world(problem.scene, kPlanningMargin);
+  const auto found =
+      make_solver("composite-rrt-connect")->solve(Workspace(world), problem.subproblem, kGoOn);
+  EXPECT_TRUE(found.solved);
+  EXPECT_EQ(found.solver, "composite-rrt-connect");
+}
+
 TEST(Hierarchy, EachLevelSolvesWhatTheOnesBeforeItCannot) {
   const auto solver_of = [](Problem (*make)()) {
     const Problem problem = make();
     const CollisionWorld world(problem.scene, kPlanningMargin);
-    return SolverHierarchy(local_solver_names())
+    return SolverHierarchy(default_solver_names())
         .solve(Workspace(world), problem.subproblem, kGoOn)
         .solver;
   };

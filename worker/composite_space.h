@@ -1,0 +1,48 @@
+// The joint configuration space of a subproblem's robots: all of them as one team, in the order of
+// the tasks. What the composite solvers share.
+#pragma once
+
+#include <vector>
+
+#include "common/planning/random.h"
+#include "common/planning/subproblem.h"
+#include "worker/decoupled_roadmaps.h"
+#include "worker/safe_interval_search.h"
+#include "worker/team.h"
+#include "worker/workspace.h"
+
+namespace accord {
+
+std::vector<RobotId> members(const Subproblem& subproblem);
+Configuration joint_start(const Subproblem& subproblem);
+Configuration joint_goal(const Subproblem& subproblem);
+
+// A search for a joint path through the window, from node `start` to node `goal`.
+SearchRequest joint_request(const Subproblem& subproblem, LocalRoadmap::Node start,
+                            LocalRoadmap::Node goal);
+
+// Joint configurations, free or not: of each robot's part some come from its own roadmap's places
+// (start, goal, guide), which hold still while others pass and lie in narrow passages; the rest
+// from its region. The same stream for the same subproblem. Not thread safe.
+class JointSampler {
+ public:
+  // Both must outlive this.
+  JointSampler(const Workspace& workspace, const Subproblem& subproblem)
+      : subproblem_(subproblem),
+        places_(workspace, subproblem),
+        random_(combine({subproblem.seed, 0x636f6d70})) {}
+
+  // Requires: q has as many numbers as the robots have together.
+  void sample(Configuration& q);
+
+ private:
+  const Subproblem& subproblem_;
+  DecoupledRoadmaps places_;
+  RandomStream random_;
+  std::uint64_t next_ = 0;
+};
+
+// Fills in a resolution's paths, one a robot, from a joint path.
+void set_joint_path(const Team& team, const Trajectory& path, Resolution& resolution);
+
+}  // namespace accord
