@@ -1,6 +1,5 @@
-// How a run of ARC ended and, where it found no plan, the sentence that says why: it names the robots
-// and the place.
-// Pure; thread safe.
+// How a run of ARC ended and, where it found no plan, the sentence that says why: it names the
+// robots and the place. Pure; thread safe.
 #pragma once
 
 #include <cstdint>

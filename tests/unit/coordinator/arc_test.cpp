@@ -93,8 +93,8 @@ class ArcTest : public ::testing::Test {
 };
 
 TEST_F(ArcTest, AsksForNoTeamWhereTheRobotsOwnPathsNeverMeet) {
-  const ArcOutcome outcome =
-      run(testing::SceneBuilder(-9, -9, 9, 9).disk(0.5, {-5, 0}, {5, 0}).disk(0.5, {-5, 3}, {5, 3}));
+  const ArcOutcome outcome = run(
+      testing::SceneBuilder(-9, -9, 9, 9).disk(0.5, {-5, 0}, {5, 0}).disk(0.5, {-5, 3}, {5, 3}));
   EXPECT_EQ(outcome.status, PlanStatus::kSolved);
   EXPECT_TRUE(workforce_.rounds.empty());
   EXPECT_EQ(arc_->statistics().conflicts_found, 0u);
