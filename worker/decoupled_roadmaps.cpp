@@ -62,11 +62,14 @@ LocalRoadmap& DecoupledRoadmaps::of(std::size_t task) {
 
 LocalRoadmap DecoupledRoadmaps::build(const Team& team, const Task& task) const {
   const RobotRoadmap& own = workspace_.roadmap(task.robot);
+  const bool is_mobile = workspace_.world().scene().robot(task.robot).model->translations() > 0;
   const SharedRoadmap* base = nullptr;
   if (subproblem_.is_crowd()) {
     base = &own.dense();
-  } else if (task.roadmap_level >= 0) {
-    base = &own.level(static_cast<std::size_t>(task.roadmap_level));
+  } else if (task.roadmap_level >= 0 || (is_mobile && subproblem_.is_last())) {
+    // Where nothing is left to grow, robots that went straight need places to make way to, too.
+    // (Arms cannot leave.)
+    base = &own.level(static_cast<std::size_t>(std::max(task.roadmap_level, 0)));
   }
   // Motions of discs and balls are proved in closed form.
   const bool is_point = workspace_.world().radius(task.robot).has_value();

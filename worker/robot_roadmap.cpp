@@ -13,6 +13,7 @@ namespace {
 // Nodes of level 0, and the factor from level to level.
 constexpr std::size_t kNodesPerDof = 400;
 constexpr std::size_t kGrowth = 4;
+constexpr std::size_t kMostNodes = 400'000;  // of any level: some hundred megabytes
 // Nodes around a place where another robot may stand, and the air (m) between them and it.
 constexpr int kCorners = 12;
 constexpr double kAir = 5e-3;
@@ -20,7 +21,7 @@ constexpr double kAir = 5e-3;
 std::size_t samples_of_level(const RobotModel& model, std::size_t level) {
   std::size_t samples = kNodesPerDof * model.dof();
   for (std::size_t i = 0; i < level; ++i) samples *= kGrowth;
-  return samples;
+  return std::min(samples, kMostNodes);
 }
 
 // The number of nodes at which they lie no further apart than the robot is large, if a level has

@@ -16,7 +16,7 @@ namespace accord {
 
 class RobotRoadmap {
  public:
-  static constexpr std::size_t kLevels = 4;
+  static constexpr std::size_t kLevels = 5;
 
   // `robot` stands for all that share the roadmap. Cheap: levels are built when asked for.
   RobotRoadmap(const CollisionWorld& world, RobotId robot);

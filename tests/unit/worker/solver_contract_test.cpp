@@ -70,6 +70,17 @@ Problem discs_in_a_corridor_with_a_pocket() {
                        2);
 }
 
+// The same with a niche instead of a pocket, one that leaves the disc 5 mm on each side.
+Problem discs_in_a_corridor_with_a_niche() {
+  return whole_problem(testing::SceneBuilder(-6, -0.6, 6, 2)
+                           .box(-6, 0.6, -0.505, 2)
+                           .box(0.505, 0.6, 6, 2)
+                           .disk(0.5, {-4, 0}, {4, 0})
+                           .disk(0.5, {4, 0}, {-4, 0})
+                           .build(),
+                       2);
+}
+
 Problem swapping_carts() {
   const auto cart = testing::cart_model(1.0, 0.6);
   return whole_problem(testing::SceneBuilder(-6, -6, 6, 6)
@@ -175,6 +186,28 @@ TEST(CompositeRrtConnect, BacksOneDiscOutOfTheOthersWay) {
       make_solver("composite-rrt-connect")->solve(Workspace(world), problem.subproblem, kGoOn);
   EXPECT_TRUE(found.solved);
   EXPECT_EQ(found.solver, "composite-rrt-connect");
+}
+
+TEST(CompositePrm, FindsTheNicheThatOneDiscHardlyFitsInto) {
+  const Problem problem = discs_in_a_corridor_with_a_niche();
+  const CollisionWorld world(problem.scene, kPlanningMargin);
+  const Resolution found =
+      make_solver("composite-prm")->solve(Workspace(world), problem.subproblem, kGoOn);
+  EXPECT_TRUE(found.solved);
+  EXPECT_EQ(contract_breach(world, problem.subproblem, found), "");
+}
+
+TEST(CompositePrm, EndsSoonWhereOutsidersMayBeWhatIsInTheWay) {
+  Problem problem = discs_in_a_corridor_with_a_pocket();
+  const Robot& parked = problem.scene->robot({0});
+  problem.subproblem.outsiders.push_back(
+      {{0}, 1, testing::path({{0, parked.start}}), std::numeric_limits<double>::infinity()});
+  problem.subproblem.tasks.erase(problem.subproblem.tasks.begin());
+  const CollisionWorld world(problem.scene, kPlanningMargin);
+  const Resolution found =
+      make_solver("composite-prm")->solve(Workspace(world), problem.subproblem, kGoOn);
+  EXPECT_FALSE(found.solved);
+  EXPECT_LE(found.effort.samples, problem.subproblem.limits.composite_nodes);
 }
 
 TEST(Hierarchy, EachLevelSolvesWhatTheOnesBeforeItCannot) {
