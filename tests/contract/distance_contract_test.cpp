@@ -176,11 +176,15 @@ TEST_P(DistanceContract, IsNeverTooLargeAndTight) {
   }
 }
 
-std::string placement_name(const testing::TestParamInfo<Case>& c) {
+const char* name_of(Placement placement) {
   constexpr std::array<const char*, 6> kNames{"random",   "far",  "grid",
                                               "touching", "deep", "parallel"};
+  return kNames[static_cast<std::size_t>(placement)];
+}
+
+std::string placement_name(const testing::TestParamInfo<Case>& c) {
   const auto [planar, placement] = c.param;
-  return std::string(planar ? "planar_" : "spatial_") + kNames[static_cast<std::size_t>(placement)];
+  return std::string(planar ? "planar_" : "spatial_") + name_of(placement);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DistanceContract,
@@ -252,34 +256,47 @@ std::shared_ptr<fcl::CollisionGeometryd> fcl_shape(const Shape& shape) {
   return model;
 }
 
-TEST(FclCollide, AgreesOnWhatTouches) {
+bool collides_by_fcl(const PlacedShape& a, const PlacedShape& b) {
+  const fcl::CollisionObjectd oa(fcl_shape(a.shape), a.pose);
+  const fcl::CollisionObjectd ob(fcl_shape(b.shape), b.pose);
+  fcl::CollisionResultd result;
+  fcl::collide(&oa, &ob, fcl::CollisionRequestd(), result);
+  return result.isCollision();
+}
+
+class FclCollide : public testing::TestWithParam<Placement> {};
+
+TEST_P(FclCollide, AgreesOnWhatTouches) {
   constexpr double kClear = 1e-6;  // nearer than this, either answer will do
   Random random(9);
+  // Where shapes rest against each other exactly, FCL may call them apart.
+  const bool rests = GetParam() != Placement::kRandom && GetParam() != Placement::kFar &&
+                     GetParam() != Placement::kDeep;
   int touching = 0;
   const auto shapes = spatial_shapes();
   for (const auto& [name_a, a] : shapes) {
     for (const auto& [name_b, b] : shapes) {
-      const auto fcl_a = fcl_shape(a);
-      const auto fcl_b = fcl_shape(b);
-      for (int k = 0; k < 40; ++k) {
-        const PlacedShape pa{a, random_pose(random, 0.4)};
-        const PlacedShape pb{b, random_pose(random, 0.4)};
+      for (int k = 0; k < 200; ++k) {
+        const PlacedShape pa{a, place(GetParam(), false, random)};
+        const PlacedShape pb{b, place(GetParam(), false, random)};
         const double distance = distance_by_gap<3>(pa, pb);
-        const fcl::CollisionObjectd oa(fcl_a, pa.pose);
-        const fcl::CollisionObjectd ob(fcl_b, pb.pose);
-        fcl::CollisionResultd result;
-        fcl::collide(&oa, &ob, fcl::CollisionRequestd(), result);
-        if (result.isCollision()) {
+        if (collides_by_fcl(pa, pb)) {
           EXPECT_LT(distance, kClear) << name_a << " to " << name_b;
           ++touching;
-        } else if (!std::holds_alternative<Mesh>(a) && !std::holds_alternative<Mesh>(b)) {
+        } else if (!rests && !std::holds_alternative<Mesh>(a) && !std::holds_alternative<Mesh>(b)) {
           EXPECT_GT(distance, 0) << name_a << " to " << name_b;
         }
       }
     }
   }
-  EXPECT_GT(touching, 500);
+  EXPECT_GT(touching, 400);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, FclCollide,
+                         testing::Values(Placement::kRandom, Placement::kFar, Placement::kGrid,
+                                         Placement::kTouching, Placement::kDeep,
+                                         Placement::kParallel),
+                         [](const auto& c) { return std::string(name_of(c.param)); });
 
 // ---- Half spaces: the bounds of a scene ----
 
