@@ -98,6 +98,11 @@ void add_options(CLI::App& command, CommandOptions& options) {
                   "Threads; the plan is the same for any number (default: one for each core)")
       ->check(CLI::Range(1U, 1024U));
   command
+      .add_option("-m,--method", options.plan.method,
+                  "arc, or a baseline that puts the whole problem to one solver")
+      ->capture_default_str()
+      ->check(CLI::IsMember(method_names()));
+  command
       .add_option("--solvers", options.plan.solvers,
                   "Solvers for conflicts, tried in this order (default: all of them)")
       ->delimiter(',')

@@ -1,7 +1,6 @@
 #include "coordinator/arc.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -9,6 +8,8 @@
 #include <spdlog/spdlog.h>
 
 #include "common/planning/conflict.h"
+#include "coordinator/initial_paths.h"
+#include "coordinator/stopwatch.h"
 
 namespace accord {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 // Commits a robot may be part of on average before the search is called off: rounds then only push
 // the same conflicts ahead of themselves.
 constexpr std::uint64_t kCommitsPerRobot = 400;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -34,11 +31,12 @@ Arc::Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::u
       schedule_(std::make_shared<const Scene>(planning.scene())),
       adaptation_(factory_, schedule_) {}
 
-ArcOutcome Arc::run() {
-  const auto begin = std::chrono::steady_clock::now();
-  if (auto failed = plan_initial_paths()) return *failed;
-  statistics_.initial_time = seconds_since(begin);
-  const auto conflicts_begin = std::chrono::steady_clock::now();
+Outcome Arc::run() {
+  if (auto failed = plan_initial_paths(scene(), workforce_, stop_, progress_, factory_, schedule_,
+                                       statistics_)) {
+    return *failed;
+  }
+  const Stopwatch watch;
   ConflictBoard board(detection_, schedule_);
   statistics_.conflicts_found = board.conflicts().size();
   const std::uint64_t most_commits = kCommitsPerRobot * (schedule_.size() + 10);
@@ -70,7 +68,7 @@ ArcOutcome Arc::run() {
   statistics_.pair_checks = board.pair_checks();
   statistics_.windows_grown = adaptation_.windows_grown();
   statistics_.robots_taken_in = adaptation_.robots_taken_in();
-  statistics_.conflict_time = seconds_since(conflicts_begin);
+  statistics_.conflict_time = watch.seconds();
   return {PlanStatus::kSolved, ""};
 }
 
@@ -97,35 +95,6 @@ bool Arc::is_left(const Job& job) {
   return std::ranges::any_of(job.resolution.left, [&](RobotId robot) {
     return robot == job.conflict.first || robot == job.conflict.second;
   });
-}
-
-std::optional<ArcOutcome> Arc::plan_initial_paths() {
-  const std::size_t robots = schedule_.size();
-  std::vector<Resolution> found(robots);
-  // In slices, so that progress can be told and a stop is heard.
-  constexpr std::size_t kSlice = 64;
-  for (std::size_t first = 0; first < robots; first += kSlice) {
-    report(Progress::Phase::kInitialPaths);
-    const std::size_t count = std::min(kSlice, robots - first);
-    std::vector<Subproblem> own;
-    for (std::size_t i = 0; i < count; ++i) {
-      own.push_back(factory_.create_initial({static_cast<std::uint32_t>(first + i)}));
-    }
-    std::ranges::move(workforce_.solve(own, stop_),
-                      found.begin() + static_cast<std::ptrdiff_t>(first));
-    if (stop_) return stopped_alone(scene(), {static_cast<std::uint32_t>(first)});
-    robots_planned_ = first + count;
-  }
-  for (std::uint32_t id = 0; id < robots; ++id) {
-    statistics_.effort += found[id].effort;
-    if (!found[id].solved) {
-      return no_way_alone(scene(), {id});
-    }
-    statistics_.lower_bound += found[id].end;
-    if (found[id].roadmap_level >= 0) factory_.use_roadmap({id}, found[id].roadmap_level);
-    schedule_.set_initial({id}, std::move(found[id].paths[0]), std::move(found[id].solver));
-  }
-  return std::nullopt;
 }
 
 // The earliest conflicts first; each robot's own earliest only; none whose robots another chosen
@@ -235,7 +204,7 @@ void Arc::log(const Job& job) const {
 
 void Arc::report(Progress::Phase phase) {
   if (!progress_) return;
-  progress_({phase, robots_planned_, statistics_.conflicts_found, statistics_.conflicts_resolved,
+  progress_({phase, schedule_.size(), statistics_.conflicts_found, statistics_.conflicts_resolved,
              statistics_.rounds});
 }
 

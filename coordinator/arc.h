@@ -14,48 +14,29 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
 #include "common/planning/schedule.h"
 #include "coordinator/adaptation.h"
-#include "coordinator/arc_outcome.h"
 #include "coordinator/conflict_board.h"
+#include "coordinator/method.h"
 #include "coordinator/progress.h"
 #include "coordinator/subproblem_factory.h"
 #include "coordinator/workforce.h"
 
 namespace accord {
 
-struct ArcStatistics {
-  std::uint64_t conflicts_found = 0;
-  std::uint64_t conflicts_resolved = 0;
-  std::uint64_t rounds = 0;
-  std::uint64_t subproblems = 0;
-  std::uint64_t exhausted = 0;
-  std::uint64_t windows_grown = 0;
-  std::uint64_t robots_taken_in = 0;
-  std::uint64_t pair_checks = 0;
-  std::map<std::string, std::uint64_t> solved_by;  // solver name -> resolutions committed
-  Effort effort;
-  double initial_time = 0;   // s, wall clock
-  double conflict_time = 0;  // s
-  double lower_bound = 0;    // s: sum of the robots' own paths' durations
-};
-
-class Arc {
+class Arc final : public Method {
  public:
   // Two worlds of the same scene: conflicts are looked for with a smaller margin than planning
   // keeps, so that what planning avoids is not found to be a conflict again for rounding.
   Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
       Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress);
 
-  // Throws std::logic_error when the workforce breaks its contract.
-  ArcOutcome run();
-  const Schedule& schedule() const { return schedule_; }
-  const ArcStatistics& statistics() const { return statistics_; }
+  Outcome run() override;
+  const Schedule& schedule() const override { return schedule_; }
+  const PlanningStatistics& statistics() const override { return statistics_; }
 
  private:
   struct Job {
@@ -65,7 +46,6 @@ class Arc {
     std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
   };
 
-  std::optional<ArcOutcome> plan_initial_paths();
   void commit(const Job& job, ConflictBoard& board);
   static bool is_left(const Job& job);
   std::vector<Job> choose(const ConflictBoard& board) const;
@@ -86,8 +66,7 @@ class Arc {
   SubproblemFactory factory_;
   Schedule schedule_;
   Adaptation adaptation_;
-  ArcStatistics statistics_;
-  std::size_t robots_planned_ = 0;
+  PlanningStatistics statistics_;
 };
 
 }  // namespace accord

@@ -119,6 +119,32 @@ Subproblem SubproblemFactory::create_initial(RobotId id) const {
   return out;
 }
 
+Subproblem SubproblemFactory::create_whole(const Schedule& schedule) const {
+  Subproblem out;
+  out.seed = combine({seed_, schedule.size()});
+  out.horizon = kInfinity;
+  out.whole = true;
+  out.limits = SolverLimits::unlimited();
+  for (std::uint32_t id = 0; id < schedule.size(); ++id) {
+    const Trajectory& path = schedule.path({id});
+    const Robot& robot = world_.scene().robot({id});
+    Trajectory tail(path.dof());
+    tail.append(path.end_time(), path.configuration(path.size() - 1));
+    const auto level = roadmap_levels_.find(robot.model.get());
+    out.tasks.push_back({{id},
+                         schedule.version({id}),
+                         path.at(0),
+                         path.end_time(),
+                         path.at(path.end_time()),
+                         whole_region(world_.scene(), {id}),
+                         path,
+                         std::move(tail),
+                         level == roadmap_levels_.end() ? 0 : level->second});
+    out.to = std::max(out.to, path.end_time());
+  }
+  return out;
+}
+
 Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& growth,
                                      const Schedule& schedule, const ConflictBoard& board) const {
   std::set<RobotId> members = growth.taken_in;

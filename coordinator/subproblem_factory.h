@@ -34,6 +34,10 @@ class SubproblemFactory {
   // A robot's own path, from its start at time 0 to its goal: (E, {r}, {q}). (Alg. 1, line 3)
   Subproblem create_initial(RobotId robot) const;
 
+  // All robots from their starts to their goals, with no limit but the solver's own patience: a
+  // baseline's one subproblem. Requires: every robot has a path.
+  Subproblem create_whole(const Schedule& schedule) const;
+
   // The subproblem of a conflict at a stage of growth. All robots not in it that come near are its
   // outsiders, but for a crowd in lockstep, which looks out for nobody. Requires: no pair of its
   // robots is in conflict before conflict.time.

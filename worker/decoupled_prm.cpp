@@ -4,15 +4,21 @@
 #include "worker/prioritized_search.h"
 
 namespace accord {
+namespace {
+
+constexpr std::size_t kSmallTeam = 4;
+// Samples a robot adds before a large team tries again.
+constexpr std::size_t kFirstSamples = 96;
+
+}  // namespace
 
 Resolution DecoupledPrm::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                   const std::atomic<bool>& stop) const {
   DecoupledRoadmaps roadmaps(workspace, subproblem);
   Effort effort;
   // Batches grow: most conflicts need a handful of places to step aside to.
-  std::size_t batch = (subproblem.limits.decoupled_samples + 5) / 6;
-  constexpr std::size_t kSmallTeam = 4;
-  if (subproblem.tasks.size() > kSmallTeam) batch = subproblem.limits.decoupled_samples;
+  const bool is_small = subproblem.tasks.size() <= kSmallTeam;
+  std::size_t batch = is_small ? (kFirstSamples + 5) / 6 : kFirstSamples;
   for (std::size_t added = 0; added < subproblem.limits.decoupled_samples && !stop;) {
     roadmaps.add_samples(batch);
     added += batch;

@@ -31,8 +31,6 @@ class PrioritizedSearch {
 
   // Whether the tails that the last plan leads to are free of each other as far as the horizon.
   bool clean() const { return clean_; }
-  // The place in the order of the robot that the last failed attempt had no way for.
-  std::size_t stuck() const { return stuck_; }
 
   bool plan(const Order& order, const std::atomic<bool>& stop, Resolution& out) {
     out.paths.assign(subproblem_.tasks.size(), Trajectory());
@@ -56,7 +54,6 @@ class PrioritizedSearch {
       ++out.effort.searches;
       auto found = safe_interval_search(team, roadmap, request, stop, out.effort.expansions);
       if (!found) {
-        stuck_ = rank;
         return false;
       }
       shorten(team, request, *found, stop, out.effort);
@@ -77,7 +74,6 @@ class PrioritizedSearch {
   const CollisionWorld& world_;
   const Subproblem& subproblem_;
   DecoupledRoadmaps& roadmaps_;
-  std::size_t stuck_ = 0;
   bool clean_ = true;
 };
 
@@ -85,6 +81,14 @@ double sum_of_arrivals(const Resolution& resolution) {
   double sum = 0;
   for (const Trajectory& path : resolution.paths) sum += path.end_time();
   return sum;
+}
+
+Resolution in_task_order(PrioritizedSearch& search, std::size_t robots,
+                         const std::atomic<bool>& stop, Effort& effort) {
+  Resolution found;
+  const bool solved = search.plan(in_given_order(robots), stop, found);
+  effort += found.effort;
+  return solved ? found : Resolution{};
 }
 
 // Every order of two robots: which goes first often matters more than anything else.
@@ -113,8 +117,14 @@ Resolution prioritized_search(const CollisionWorld& world, const Subproblem& sub
   const std::size_t robots = subproblem.tasks.size();
   PrioritizedSearch search(world, subproblem, roadmaps);
   Effort effort;
-  Resolution best = robots <= 2 ? best_of_all_orders(search, in_given_order(robots), stop, effort)
-                                : prioritized_repair(world, subproblem, roadmaps, stop, effort);
+  Resolution best;
+  if (subproblem.limits.priority_orders == 1) {
+    best = in_task_order(search, robots, stop, effort);
+  } else if (robots <= 2) {
+    best = best_of_all_orders(search, in_given_order(robots), stop, effort);
+  } else {
+    best = prioritized_repair(world, subproblem, roadmaps, stop, effort);
+  }
   best.effort = effort;
   best.effort.motion_checks += roadmaps.motion_checks();
   return best;

@@ -10,8 +10,8 @@
 
 namespace accord {
 
-// Of two robots the order with the least sum of arrivals, of more the first that works, within what
-// subproblem.limits allows. Local paths are shortened before they are returned. Not solved when no
+// In task order where subproblem.limits allows one order only; else of two robots the order with the
+// least sum of arrivals, of more the first that works, within what the limits allow. Local paths are shortened before they are returned. Not solved when no
 // order works.
 Resolution prioritized_search(const CollisionWorld& world, const Subproblem& subproblem,
                               DecoupledRoadmaps& roadmaps, const std::atomic<bool>& stop);

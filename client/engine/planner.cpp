@@ -10,6 +10,7 @@
 #include "common/geometry/tolerances.h"
 #include "common/planning/verifier.h"
 #include "coordinator/arc.h"
+#include "coordinator/whole_problem.h"
 
 namespace accord {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 // Conflicts are looked for with half of planning's margin, so that what planning avoids is not
 // found to be a conflict again for rounding.
 constexpr double kDetectionMargin = 0.5 * kPlanningMargin;
+constexpr std::string_view kArc = "arc";
 constexpr auto kReportEvery = std::chrono::milliseconds(50);
 
 using Clock = std::chrono::steady_clock;
@@ -56,7 +58,7 @@ void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
   compute_costs(plan);
 }
 
-void fill_statistics(const ArcStatistics& from, double conflicts_share, Plan& plan) {
+void fill_statistics(const PlanningStatistics& from, double conflicts_share, Plan& plan) {
   const auto add = [&](std::string name, auto value) {
     plan.statistics.emplace_back(std::move(name), static_cast<double>(value));
   };
@@ -78,7 +80,19 @@ void fill_statistics(const ArcStatistics& from, double conflicts_share, Plan& pl
   add("conflicts_time", conflicts_share);
 }
 
+// What solves subproblems: ARC's hierarchy, or the baseline's one solver.
+std::vector<std::string> hierarchy(const PlanOptions& options) {
+  if (options.method != kArc) return {options.method};
+  return options.solvers.empty() ? default_solver_names() : options.solvers;
+}
+
 }  // namespace
+
+const std::vector<std::string>& method_names() {
+  static const std::vector<std::string> names{"arc", "decoupled-prm", "composite-prm",
+                                              "composite-rrt-connect"};
+  return names;
+}
 
 const std::vector<std::string>& solver_names() {
   return local_solver_names();
@@ -90,26 +104,32 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
   const Watchdog watchdog(options.timeout, cancel);
   const CollisionWorld planning(scene, kPlanningMargin);
   const CollisionWorld detection(scene, kDetectionMargin);
-  LocalWorkforce workforce(planning,
-                           options.solvers.empty() ? default_solver_names() : options.solvers,
-                           std::max(1u, options.workers));
+  LocalWorkforce workforce(planning, hierarchy(options), std::max(1u, options.workers));
   const ProgressCallback report = thinned(progress);
-  Arc arc(planning, detection, options.seed, workforce, watchdog.stop(), report);
+  std::unique_ptr<Method> method;
+  if (options.method == kArc) {
+    method = std::make_unique<Arc>(planning, detection, options.seed, workforce, watchdog.stop(),
+                                   report);
+  } else {
+    method = std::make_unique<WholeProblem>(planning, detection, options.seed, workforce,
+                                            watchdog.stop(), report);
+  }
 
   Plan plan;
   plan.scene = scene->name;
+  plan.method = options.method;
   plan.seed = options.seed;
   plan.timestep = scene->timestep;
-  const ArcOutcome outcome = arc.run();
+  const Outcome outcome = method->run();
   plan.status = outcome.status;
   plan.message = outcome.message;
   if (outcome.status == PlanStatus::kCancelled) {
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
-  fill_statistics(arc.statistics(), arc.statistics().conflict_time, plan);
+  fill_statistics(method->statistics(), method->statistics().conflict_time, plan);
   if (plan.status == PlanStatus::kSolved) {
-    fill_robots(*scene, arc.schedule(), plan);
+    fill_robots(*scene, method->schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});
     const auto proof_begin = Clock::now();
     const Verdict verdict = verify(scene, plan, options.workers, Beyond::kNothing);

@@ -1,5 +1,4 @@
-// Plans a scene with ARC, from the scene to a proven plan, inside this process: what `accord plan`
-// calls. Algorithm 1 of the paper.
+// Plans a scene, from the scene to a proven plan, inside this process: what `accord plan` calls.
 #pragma once
 
 #include <atomic>
@@ -18,11 +17,17 @@
 namespace accord {
 
 struct PlanOptions {
+  std::string method = "arc";        // of method_names()
   std::uint64_t seed = 1;
   std::optional<double> timeout;     // s, wall clock; it can only end a request, never shape a plan
   unsigned workers = 1;              // threads that solve; changes nothing but the time it takes
-  std::vector<std::string> solvers;  // the hierarchy, in order; empty: the default one
+  std::vector<std::string> solvers;  // the hierarchy, in order; empty: the default one.
+                                     // Only ARC has a hierarchy
 };
+
+// "arc", and the baselines, which put the whole problem to one solver: "decoupled-prm",
+// "composite-prm", "composite-rrt-connect", "cbs-mp".
+const std::vector<std::string>& method_names();
 
 // Names of the solvers that PlanOptions::solvers may hold, in the default order.
 const std::vector<std::string>& solver_names();
@@ -32,7 +37,8 @@ const std::vector<std::string>& solver_names();
 // Returns a plan with status solved that the verifier has proved, or one whose message says why
 // there is none (infeasible, timeout, cancelled when `cancel` becomes true). A plan that the
 // verifier refutes is a bug of the planner: std::logic_error that carries the verifier's words.
-// Requires: options.solvers holds names of solver_names() only; the scene passed io's checks.
+// Requires: options hold names of method_names() and solver_names() only; the scene passed io's
+// checks.
 Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
           const ProgressCallback& progress = {}, const std::atomic<bool>* cancel = nullptr);
 

@@ -44,10 +44,17 @@ struct Outsider {
 struct SolverLimits {
   std::size_t query_expansions = 4000;        // states expanded by one safe-interval search
   std::size_t query_checks = 20000;           // geometric queries against moving bodies in one
-  std::size_t priority_orders = 6;            // orders tried by prioritized planning
+  std::size_t priority_orders = 6;            // orders tried by prioritized planning; 1: in task
+                                              // order alone
   std::size_t decoupled_samples = 96;         // free samples a robot adds at most
   std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most
   std::size_t composite_window_per_dof = 12;  // W of the adaptive termination, per dof
+
+  // For baselines, which go on until they are stopped, in task order.
+  static SolverLimits unlimited() {
+    constexpr std::size_t kMost = 1'000'000'000;
+    return {kMost, kMost, 1, kMost, kMost, 12};
+  }
 };
 
 struct Subproblem {

@@ -13,22 +13,22 @@
 
 namespace accord {
 
-struct ArcOutcome {
+struct Outcome {
   PlanStatus status;    // solved, infeasible, timeout (a limit of counts) or cancelled (stopped)
   std::string message;  // why not solved; of a cancelled one, how far it had come
 };
 
 // A robot has no path even if nobody else is there.
-ArcOutcome no_way_alone(const Scene& scene, RobotId robot);
+Outcome no_way_alone(const Scene& scene, RobotId robot);
 
 // Nothing was left to grow: the subproblem was the whole problem of its robots.
-ArcOutcome unresolved(const Scene& scene, const Conflict& conflict, const Subproblem& subproblem);
+Outcome unresolved(const Scene& scene, const Conflict& conflict, const Subproblem& subproblem);
 
 // Resolutions only pushed the same conflicts ahead of themselves. Requires: a conflict is left.
-ArcOutcome given_up(const Scene& scene, const ConflictBoard& board, std::uint64_t resolutions);
+Outcome given_up(const Scene& scene, const ConflictBoard& board, std::uint64_t resolutions);
 
 // Stopped from outside while robots from `next` on had no paths yet, or with conflicts left.
-ArcOutcome stopped_alone(const Scene& scene, RobotId next);
-ArcOutcome stopped(const Scene& scene, const ConflictBoard& board);
+Outcome stopped_alone(const Scene& scene, RobotId next);
+Outcome stopped(const Scene& scene, const ConflictBoard& board);
 
 }  // namespace accord

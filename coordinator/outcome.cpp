@@ -1,4 +1,4 @@
-#include "coordinator/arc_outcome.h"
+#include "coordinator/outcome.h"
 
 #include <fmt/format.h>
 
@@ -18,14 +18,14 @@ std::string earliest(const Scene& scene, const ConflictBoard& board) {
 
 }  // namespace
 
-ArcOutcome no_way_alone(const Scene& scene, RobotId robot) {
+Outcome no_way_alone(const Scene& scene, RobotId robot) {
   return {PlanStatus::kInfeasible,
           fmt::format("no way from start to goal was found for robot {} on its own, on the largest "
                       "roadmap of its configuration space",
                       quoted(scene, robot))};
 }
 
-ArcOutcome unresolved(const Scene& scene, const Conflict& conflict, const Subproblem& subproblem) {
+Outcome unresolved(const Scene& scene, const Conflict& conflict, const Subproblem& subproblem) {
   std::string robots;
   for (const Task& task : subproblem.tasks) {
     robots += (robots.empty() ? "" : ", ") + quoted(scene, task.robot);
@@ -37,19 +37,19 @@ ArcOutcome unresolved(const Scene& scene, const Conflict& conflict, const Subpro
                       robots)};
 }
 
-ArcOutcome given_up(const Scene& scene, const ConflictBoard& board, std::uint64_t resolutions) {
+Outcome given_up(const Scene& scene, const ConflictBoard& board, std::uint64_t resolutions) {
   return {PlanStatus::kTimeout,
           fmt::format("after {} resolutions, the most for so many robots, conflicts keep coming "
                       "back: {} are left, {}",
                       resolutions, board.size(), earliest(scene, board))};
 }
 
-ArcOutcome stopped_alone(const Scene& scene, RobotId next) {
+Outcome stopped_alone(const Scene& scene, RobotId next) {
   return {PlanStatus::kCancelled,
           fmt::format("while each robot was planned alone, from robot {} on", quoted(scene, next))};
 }
 
-ArcOutcome stopped(const Scene& scene, const ConflictBoard& board) {
+Outcome stopped(const Scene& scene, const ConflictBoard& board) {
   return {PlanStatus::kCancelled,
           fmt::format("with {} conflicts left, {}", board.size(), earliest(scene, board))};
 }
