@@ -10,9 +10,9 @@
 
 namespace accord {
 
-// In task order where subproblem.limits allows one order only; else of two robots the order with the
-// least sum of arrivals, of more the first that works, within what the limits allow. Local paths are shortened before they are returned. Not solved when no
-// order works.
+// In task order where subproblem.limits allows one order only; else of two robots the order with
+// the least sum of arrivals, of more the first that works, within what the limits allow. Local
+// paths are shortened before they are returned. Not solved when no order works.
 Resolution prioritized_search(const CollisionWorld& world, const Subproblem& subproblem,
                               DecoupledRoadmaps& roadmaps, const std::atomic<bool>& stop);
 

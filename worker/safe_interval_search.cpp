@@ -6,6 +6,7 @@
 #include <queue>
 #include <vector>
 
+#include "common/planning/splice.h"
 #include "worker/times_to_goal.h"
 
 namespace accord {
@@ -156,11 +157,12 @@ class Search {
     path.append(request_.from, q);
     for (std::size_t i = 1; i < states.size(); ++i) {
       const State& state = states_[states[i]];
-      if (state.departure > path.end_time()) path.append(state.departure, q);
+      // A wait of less than an instant is rounding.
+      if (state.departure > path.end_time() + kSameInstant) path.append(state.departure, q);
       // Whole turns add up along the path: each waypoint is written nearest to the one before.
       team_.nearest_representation(path.configuration(path.size() - 1),
                                    roadmap_.configuration(state.node), q);
-      path.append(state.arrival, q);
+      append_apart(state.arrival, q, path);
     }
     return path;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/planning/random.h"
+#include "common/planning/splice.h"
 
 namespace accord {
 namespace {
@@ -55,10 +56,10 @@ class CornerCutter {
     }
     // Close to a waypoint the cut begins there: a is that place to within rounding of the motion.
     if (cut.empty() || from > cut.end_time()) cut.append(from, a);
-    cut.append(from + duration, b);
+    double shift = append_apart(from + duration, b, cut) - to;
     for (std::size_t i = 0; i < path_.size(); ++i) {
       if (path_.time(i) <= to + kShortestMotion) continue;
-      cut.append(path_.time(i) - to + from + duration, path_.configuration(i));
+      shift = append_apart(path_.time(i) + shift, path_.configuration(i), cut) - path_.time(i);
     }
     return cut;
   }

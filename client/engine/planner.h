@@ -17,7 +17,7 @@
 namespace accord {
 
 struct PlanOptions {
-  std::string method = "arc";        // of method_names()
+  std::string method = "arc";  // of method_names()
   std::uint64_t seed = 1;
   std::optional<double> timeout;     // s, wall clock; it can only end a request, never shape a plan
   unsigned workers = 1;              // threads that solve; changes nothing but the time it takes

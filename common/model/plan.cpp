@@ -23,7 +23,7 @@ std::string_view to_string(PlanStatus status) {
 
 void compute_costs(Plan& plan) {
   // An arrival that is a whole number of timesteps but for rounding counts as that number.
-  constexpr double kRounding = 1e-6;
+  constexpr double kRounding = 1e-9;  // timesteps
   plan.makespan = plan.sum_of_costs = 0;
   plan.sum_of_costs_timesteps = 0;
   for (const RobotPlan& robot : plan.robots) {

@@ -18,12 +18,27 @@ void copy_clipped(const std::vector<CouplingSegment>& segments, double from, dou
   }
 }
 
+// Makes a timeline run from 0 to `end` without gaps: where a robot has parked, until it is moved
+// again, belongs to how it got there.
+void close_gaps(double end, std::vector<CouplingSegment>& coupling) {
+  while (coupling.size() > 1 && coupling.back().from >= end) coupling.pop_back();
+  coupling.front().from = 0;
+  for (std::size_t i = 1; i < coupling.size(); ++i) coupling[i - 1].to = coupling[i].from;
+  coupling.back().to = end;
+}
+
 // Whether a local path's end is the task's goal, up to whole turns.
 bool reaches_goal(const RobotModel& model, const Task& task, ConfigurationView end) {
   constexpr double kSamePlace = 1e-9;
   Configuration delta(end.size());
   difference(model, task.goal, end, delta);
   return std::ranges::all_of(delta, [](double d) { return std::abs(d) <= kSamePlace; });
+}
+
+bool has_sound_times(const Trajectory& path) {
+  const auto is_not_later = [](double t, double next) { return !(next > t); };
+  return std::isfinite(path.end_time()) &&
+         std::ranges::adjacent_find(path.times(), is_not_later) == path.times().end();
 }
 
 bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& resolution) {
@@ -33,7 +48,7 @@ bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& re
     const Trajectory& path = resolution.paths[i];
     const Task& task = subproblem.tasks[i];
     if (path.empty() || path.dof() != task.start.size()) return false;
-    if (path.start_time() != subproblem.from) return false;
+    if (path.start_time() != subproblem.from || !has_sound_times(path)) return false;
     if (path.end_time() > resolution.end) return false;
     if (!std::ranges::equal(path.configuration(0), task.start)) return false;
     const RobotModel& model = *scene.robot(task.robot).model;
@@ -73,11 +88,13 @@ bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution
     const double arrival = resolution.paths[i].end_time();
     std::vector<CouplingSegment> coupling;
     copy_clipped(entry.coupling, 0, subproblem.from, 0, coupling);
+    if (coupling.empty() && subproblem.from > 0) coupling.push_back(entry.coupling.front());
     coupling.push_back({subproblem.from, arrival, robots, resolution.solver});
     copy_clipped(entry.coupling, task.to, std::numeric_limits<double>::infinity(),
                  arrival - task.to, coupling);
-    entry.coupling = std::move(coupling);
     splice(entry, subproblem, task, resolution.paths[i]);
+    entry.coupling = std::move(coupling);
+    close_gaps(entry.path.end_time(), entry.coupling);
     ++entry.version;
   }
   return true;

@@ -117,7 +117,7 @@ std::vector<const Trajectory*> paths_in_order(const Scene& scene, const Plan& pl
 }
 
 std::optional<Violation> check_costs(const Scene& scene, const Plan& plan) {
-  constexpr double kRounding = 1e-6;  // of an arrival in timesteps; either way is right within it
+  constexpr double kRounding = 1e-9;  // of an arrival in timesteps; either way is right within it
   double makespan = 0;
   double sum = 0;
   double least_timesteps = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/planning/splice.h"
 #include "tests/support/scenes.h"
 
 namespace accord {
@@ -76,6 +77,60 @@ TEST_F(ScheduleTest, KeepsTheCouplingTimelineWithoutGaps) {
   EXPECT_EQ(coupling[2].solver, "straight");
 }
 
+TEST_F(ScheduleTest, CountsParkingAsPartOfHowARobotGotThere) {
+  Subproblem late;
+  late.from = 12;  // both have parked since 10 s
+  late.to = 14;
+  for (const RobotId robot : {kFirst, kSecond}) {
+    Task task;
+    task.robot = robot;
+    task.version = 1;
+    task.start = task.goal = schedule_.path(robot).at(12);
+    task.to = 14;
+    late.tasks.push_back(task);
+  }
+  Resolution aside;
+  aside.solved = true;
+  aside.solver = "aside";
+  aside.end = 14;
+  aside.paths = {path({{12, {10, 0}}, {13, {10, 1}}, {14, {10, 0}}}),
+                 path({{12, {0, 0}}, {13, {0, 1}}, {14, {0, 0}}})};
+  ASSERT_TRUE(schedule_.commit(late, aside));
+  const auto& coupling = schedule_.coupling(kFirst);
+  ASSERT_EQ(coupling.size(), 2u);
+  EXPECT_EQ(coupling[0].from, 0);
+  EXPECT_EQ(coupling[0].to, 12);
+  EXPECT_EQ(coupling[1].from, 12);
+  EXPECT_EQ(coupling[1].to, 14);
+}
+
+TEST(ScheduleOfParkedRobots, HasATimelineFromTheStartWhenTheyAreMoved) {
+  const auto scene = testing::SceneBuilder(-20, -20, 20, 20).disk(0.5, {0, 0}, {0, 0}).build();
+  Schedule schedule(scene);
+  schedule.set_initial(kFirst, path({{0, {0, 0}}}), "straight");
+  Subproblem window;
+  window.from = 1;
+  window.to = 1;
+  Task task;
+  task.robot = kFirst;
+  task.version = 1;
+  task.start = task.goal = {0, 0};
+  task.to = 1;
+  window.tasks.push_back(task);
+  Resolution aside;
+  aside.solved = true;
+  aside.solver = "aside";
+  aside.end = 3;
+  aside.paths = {path({{1, {0, 0}}, {2, {0, 1}}, {3, {0, 0}}})};
+  ASSERT_TRUE(schedule.commit(window, aside));
+  const auto& coupling = schedule.coupling(kFirst);
+  ASSERT_EQ(coupling.size(), 2u);
+  EXPECT_EQ(coupling[0].from, 0);
+  EXPECT_EQ(coupling[0].to, 1);
+  EXPECT_EQ(coupling[0].solver, "straight");
+  EXPECT_EQ(coupling[1].to, 3);
+}
+
 TEST_F(ScheduleTest, RefusesAResolutionOfOlderVersions) {
   const Subproblem stale = window();
   ASSERT_TRUE(schedule_.commit(stale, detour()));
@@ -94,10 +149,25 @@ TEST_F(ScheduleTest, RefusesPathsThatDoNotFitTheWindow) {
   Resolution short_of_goal = detour();
   short_of_goal.paths[1] = path({{3, {7, 0}}, {7, {4, 0}}});
   EXPECT_FALSE(schedule_.commit(window(), short_of_goal));
+  Resolution standing = detour();
+  standing.paths[1] = path({{3, {7, 0}}, {3, {7, 0}}, {7, {3, 0}}});
+  EXPECT_FALSE(schedule_.commit(window(), standing));
   Resolution missing = detour();
   missing.paths.pop_back();
   EXPECT_FALSE(schedule_.commit(window(), missing));
   EXPECT_EQ(schedule_.version(kFirst), 1u);
+}
+
+TEST(AppendTail, KeepsWaypointsApartThatShiftingBringsTogether) {
+  constexpr double kHair = 1e-15;  // s: apart near 0, the same near 100
+  const auto scene = testing::SceneBuilder(-20, -20, 20, 20).disk(0.5, {0, 0}, {2, 0}).build();
+  const Trajectory old =
+      path({{0, {0, 0}}, {2e-9, {1, 0}}, {2e-9 + kHair, {1, 0}}, {3e-9, {2, 0}}});
+  Trajectory late = path({{0, {0, 0}}, {100, {0, 0}}});
+  append_tail(*scene->robot(kFirst).model, old, 0, late);
+  ASSERT_EQ(late.size(), 5u);
+  for (std::size_t i = 1; i < late.size(); ++i) EXPECT_GT(late.time(i), late.time(i - 1));
+  EXPECT_EQ(late.configuration(4)[0], 2);
 }
 
 TEST(ScheduleHeadings, GoOnInTheWholeTurnsThatTheLocalPathEndedIn) {
