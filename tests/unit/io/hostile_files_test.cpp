@@ -149,6 +149,11 @@ struct Bomb {
   std::string text;
 };
 
+// What CTest calls the bomb; GoogleTest would print its bytes, addresses among them.
+void PrintTo(const Bomb& bomb, std::ostream* out) {
+  *out << bomb.name;
+}
+
 std::string repeated(std::string_view part, std::size_t times) {
   std::string out;
   for (std::size_t i = 0; i < times; ++i) out += part;
