@@ -127,6 +127,46 @@ TEST_F(MapFiles, OfRosBlockUnknownCells) {
   EXPECT_TRUE(s->obstacles[1].pose.translation().isApprox(Vec3(12.25, 22.25, 0)));  // grey
 }
 
+TEST_F(MapFiles, OfRosBlockUnknownCellsBelowTheFreeThreshold) {
+  // As nav2 saves maps: with a threshold that alone would make 205 free.
+  write("r.yaml",
+        "image: m.pgm\nmode: trinary\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml, at: [10, 20]}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 2U);
+  EXPECT_TRUE(box(s->obstacles[0]).size.head<2>().isApprox(Vec2(0.5, 1)));  // black, unknown
+}
+
+TEST_F(MapFiles, OfRosBlockUnknownCellsOfAnyWhite) {
+  write("m.pgm", "P2\n3 1\n65535\n65535 52685 65535\n");  // 205 * 257
+  write("r.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(1.5, 0.5, 0)));
+}
+
+TEST_F(MapFiles, OfRosBlockUnknownCellsOfNegatedImages) {
+  write("m.pgm", "P2\n3 1\n255\n0 50 0\n");
+  write("r.yaml",
+        "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 1\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(1.5, 0.5, 0)));
+}
+
+TEST_F(MapFiles, OfRosInModeScaleHaveNoUnknownCells) {
+  write("m.pgm", "P2\n3 1\n255\n0 205 254\n");
+  write("r.yaml",
+        "image: m.pgm\nmode: scale\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(0.5, 0.5, 0)));
+}
+
 TEST_F(MapFiles, OfRosCanBeNegatedAndTurned) {
   write("r.yaml",
         "image: m.pgm\nresolution: 1\norigin: [0, 0, 1.5707963267948966]\nnegate: 1\n"
