@@ -75,8 +75,7 @@ Reading read_reading(const Fields& fields, Faults& faults) {
   if (const auto value = fields.find("free_thresh")) {
     reading.free = read_number(*value, kThreshold, faults).value_or(0);
     if (reading.free > reading.occupied) {
-      fault_at(*value, "must not be above occupied_thresh, " + in_words(reading.occupied),
-               faults);
+      fault_at(*value, "must not be above occupied_thresh, " + in_words(reading.occupied), faults);
     }
   }
   const auto mode = fields.find("mode");

@@ -116,6 +116,28 @@ TEST_F(MapFiles, RiseToTheirHeightInSpatialScenes) {
   EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 3)));
 }
 
+TEST_F(MapFiles, FillTheHeightOfTheBoundsWithoutAHeightOfTheirOwn) {
+  const auto s = scene("{map: m.map, at: [10, 20, 1]}", true);  // bounds from z = 0 to 9
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(10.5, 21, 4.5)));
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 9)));
+}
+
+TEST_F(MapFiles, FillTheBoundsAlongTheirOwnAxisWhereTheyAreTilted) {
+  // A quarter of a roll: the map's z is -y of the world, along which the bounds are 100 m.
+  const auto s = scene("{map: m.map, at: [10, 20, 1], rpy: [1.5707963267948966, 0, 0]}", true);
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(10.5, 0, 2)));
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 100)));
+}
+
+TEST_F(MapFiles, OfRosInSpatialScenesNeedNoHeightEither) {
+  write("r.yaml", "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\n");
+  const auto s = scene("{map: r.yaml, at: [10, 20, 1]}", true);
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(0.5, 1, 9)));
+}
+
 TEST_F(MapFiles, OfRosBlockUnknownCells) {
   write("r.yaml",
         "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
@@ -149,8 +171,7 @@ TEST_F(MapFiles, OfRosBlockUnknownCellsOfAnyWhite) {
 
 TEST_F(MapFiles, OfRosBlockUnknownCellsOfNegatedImages) {
   write("m.pgm", "P2\n3 1\n255\n0 50 0\n");
-  write("r.yaml",
-        "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 1\nfree_thresh: 0.25\n");
+  write("r.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 1\nfree_thresh: 0.25\n");
   const auto s = scene("{map: r.yaml}");
   ASSERT_TRUE(s);
   ASSERT_EQ(s->obstacles.size(), 1U);
