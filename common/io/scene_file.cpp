@@ -26,7 +26,8 @@ class SceneReader {
   std::shared_ptr<const Scene> read(std::string_view text) {
     if (text.size() > limits::kSceneBytes) {
       faults_.add(file_, 0, "",
-                  "larger than " + std::to_string(limits::kSceneBytes >> 20U) + " MiB");
+                  "the scene is too large; expected at most " +
+                      std::to_string(limits::kSceneBytes >> 20U) + " MiB");
       return nullptr;
     }
     const auto document = read_yaml(text, file_, limits::kSceneNodes, faults_);

@@ -21,18 +21,27 @@ std::optional<double> number_in(std::string_view word, Range range) {
   return value;
 }
 
+// Where the first equals sign beyond kXmlAttributes stands; npos where there is none.
+std::size_t one_attribute_too_many(std::string_view text) {
+  std::size_t at = text.find('=');
+  for (std::size_t count = 0; count < limits::kXmlAttributes && at != std::string_view::npos;
+       ++count) {
+    at = text.find('=', at + 1);
+  }
+  return at;
+}
+
 }  // namespace
 
 bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocument& document,
                Faults& faults) {
-  const auto attributes = static_cast<std::size_t>(std::ranges::count(text, '='));
-  if (attributes > limits::kXmlAttributes) {
-    faults.add(file, 0, "", "more than " + std::to_string(limits::kXmlAttributes) + " attributes");
+  if (const std::size_t bad = one_attribute_too_many(text); bad != std::string_view::npos) {
+    faults.add(file, line_at(text, bad), "",
+               "more than " + std::to_string(limits::kXmlAttributes) + " attributes");
     return false;
   }
   if (const std::size_t bad = first_unprintable(text); bad != std::string_view::npos) {
-    const auto line = 1 + std::ranges::count(text.substr(0, bad), '\n');
-    faults.add(file, static_cast<int>(line), "",
+    faults.add(file, line_at(text, bad), "",
                "not text: the byte " + in_quotes(text.substr(bad, 1)) + "; expected UTF-8");
     return false;
   }
@@ -42,7 +51,7 @@ bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocu
   std::ranges::transform(reason, reason.begin(), [](unsigned char c) {
     return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
   });
-  faults.add(file, document.ErrorLineNum(), "", "not valid XML: " + reason);
+  faults.add(file, std::max(1, document.ErrorLineNum()), "", "not valid XML: " + reason);
   return false;
 }
 

@@ -159,11 +159,6 @@ std::size_t too_many_brackets(std::string_view text) {
   return std::string_view::npos;
 }
 
-int line_at(std::string_view text, std::size_t position) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
 }  // namespace
 
 std::unique_ptr<const Document> read_yaml(std::string_view text, const std::string& file,
