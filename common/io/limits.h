@@ -23,6 +23,7 @@ inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a p
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
 inline constexpr std::size_t kFaults = 200;            // listed at once
+inline constexpr std::size_t kLineFaults = 20;         // of them, of one mesh or map
 
 // Counts of a scene
 inline constexpr std::size_t kRobots = 10'000;
