@@ -58,7 +58,8 @@ std::optional<Grid> read_image(const Value& image, const std::filesystem::path& 
     fault_at(image, bytes.error(), faults);
     return std::nullopt;
   }
-  const auto map = parse_pgm(*bytes, path->string(), faults);
+  const auto map = parse_pgm(
+      *bytes, path->string(), [&](auto why) { fault_at(image, why, faults); }, faults);
   if (!map) return std::nullopt;
   return to_grid(*map, reading);
 }
