@@ -15,10 +15,20 @@ namespace {
 
 constexpr Range kAnyNumber{-1e12, 1e12, ""};
 
+bool holds(Range range, double value) {
+  return value >= range.min && value <= range.max;
+}
+
 std::optional<double> number_in(std::string_view word, Range range) {
   const auto value = parse_number(word);
-  if (!value || !(*value >= range.min && *value <= range.max)) return std::nullopt;
+  if (!value || !holds(range, *value)) return std::nullopt;
   return value;
+}
+
+// "from 1e-05 to 100000 m".
+std::string range_in_words(Range range) {
+  const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
+  return "from " + in_words(range.min) + " to " + in_words(range.max) + unit;
 }
 
 // Where the first equals sign beyond kXmlAttributes stands; npos where there is none.
@@ -104,13 +114,12 @@ std::optional<double> XmlElement::number(const char* attribute, Range range) con
     fault(attribute, "expected a finite number, not " + in_quotes(text));
     return std::nullopt;
   }
-  if (*any >= range.min && *any <= range.max) return any;
+  if (holds(range, *any)) return any;
   const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
   const bool sign = range.min > 0 && *any <= 0;
-  fault(attribute, (sign ? "must be greater than 0" + unit
-                         : "expected a number from " + in_words(range.min) + " to " +
-                               in_words(range.max) + unit) +
-                       ", not " + in_words(*any));
+  fault(attribute,
+        (sign ? "must be greater than 0" + unit : "expected a number " + range_in_words(range)) +
+            ", not " + in_words(*any));
   return std::nullopt;
 }
 
@@ -122,20 +131,20 @@ std::optional<Vec3> XmlElement::vector(const char* attribute, Range range) const
   }
   Vec3 out = Vec3::Zero();
   std::string_view rest(text);
-  bool sound = true;
+  bool numbers = true;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const auto value = number_in(take_word(rest), range);
-    sound = sound && value;
+    const auto value = number_in(take_word(rest), kAnyNumber);
+    numbers = numbers && value;
     out[i] = value.value_or(0);
   }
-  if (!sound || !take_word(rest).empty()) {
-    const bool bounded = range.min > 0;
-    fault(attribute, std::string(bounded ? "expected three numbers greater than 0, not "
-                                         : "expected three finite numbers, not ") +
-                         in_quotes(text));
-    return std::nullopt;
-  }
-  return out;
+  numbers = numbers && take_word(rest).empty();
+  if (numbers && holds(range, out.minCoeff()) && holds(range, out.maxCoeff())) return out;
+  const bool sign = range.min > 0 && out.minCoeff() <= 0;
+  const std::string expected = sign      ? "three numbers greater than 0"
+                               : numbers ? "three numbers " + range_in_words(range)
+                                         : "three finite numbers";
+  fault(attribute, "expected " + expected + ", not " + in_quotes(text));
+  return std::nullopt;
 }
 
 void XmlElement::report_misspelt(std::initializer_list<std::string_view> known) const {

@@ -116,6 +116,21 @@ TEST(Urdf, ReportsEveryFaultAtOnce) {
   EXPECT_EQ(list[3].line, 4);
 }
 
+TEST(Urdf, SaysWhichNumbersItExpects) {
+  const auto text = [](const std::string& size) {
+    MeshStore meshes;
+    Faults faults("a.urdf");
+    parse_urdf("<robot name='a'>" + link("a", "<box size='" + size + "'/>") + "</robot>", "a.urdf",
+               meshes, faults);
+    const auto list = faults.take();
+    return list.empty() ? "" : list[0].text;
+  };
+  EXPECT_EQ(text("1 2 0"), "expected three numbers greater than 0, not \"1 2 0\"");
+  EXPECT_EQ(text("1 2 1e9"), "expected three numbers from 1e-05 to 100000 m, not \"1 2 1e9\"");
+  EXPECT_EQ(text("1 2 3 4"), "expected three finite numbers, not \"1 2 3 4\"");
+  EXPECT_EQ(text("1 2 nan"), "expected three numbers greater than 0, not \"1 2 nan\"");
+}
+
 TEST(Urdf, BlamesTheScaleOfAMeshForItsSize) {
   const std::string folder = ACCORD_SOURCE_DIR "/tests/invalid/files/";
   MeshStore meshes;
