@@ -68,8 +68,9 @@ class Document {
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  // Requires: something was added.
+  // Require: something was added, first and last.
   Value root() const { return {*this, 0}; }
+  Value last() const { return {*this, static_cast<std::uint32_t>(nodes_.size() - 1)}; }
   const std::string& file() const { return file_; }
   std::size_t size() const { return nodes_.size(); }
   bool empty() const { return nodes_.empty(); }

@@ -13,7 +13,7 @@ namespace accord {
 namespace fs = std::filesystem;
 
 tl::expected<std::string, std::string> read_file(const fs::path& path, std::size_t max_bytes) {
-  const std::string cannot = "cannot open " + in_quotes(path.string()) + ": ";
+  const std::string cannot = "cannot open " + path_in_quotes(path) + ": ";
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) return tl::unexpected(cannot + "no such file");
@@ -27,7 +27,7 @@ tl::expected<std::string, std::string> read_file(const fs::path& path, std::size
   while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
     bytes.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
     if (bytes.size() > max_bytes) {
-      return tl::unexpected(in_quotes(path.string()) + " is larger than " +
+      return tl::unexpected(path_in_quotes(path) + " is too large; expected at most " +
                             std::to_string(max_bytes >> 20U) + " MiB");
     }
   }
@@ -46,6 +46,11 @@ tl::expected<fs::path, std::string> resolve(std::string_view reference, const fs
                           in_quotes(reference));
   }
   return folder / path;
+}
+
+std::string path_in_quotes(const fs::path& path) {
+  constexpr std::size_t kLongest = 4096;  // bytes: what Linux takes for a path
+  return in_quotes(path.string(), kLongest);
 }
 
 std::string extension_of(const fs::path& path) {

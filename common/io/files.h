@@ -19,6 +19,9 @@ tl::expected<std::string, std::string> read_file(const std::filesystem::path& pa
 tl::expected<std::filesystem::path, std::string> resolve(std::string_view reference,
                                                          const std::filesystem::path& folder);
 
+// In quotes, whole: a path that is cut does not say which file it is.
+std::string path_in_quotes(const std::filesystem::path& path);
+
 // The extension in lower case, as in ".stl".
 std::string extension_of(const std::filesystem::path& path);
 

@@ -17,12 +17,13 @@ inline constexpr std::size_t kPlanBytes = std::size_t{512} << 20;
 
 // Text
 inline constexpr std::size_t kNesting = 32;            // levels of lists and maps
-inline constexpr std::size_t kOpenBrackets = 1'000;    // in YAML, counted without regard to quotes
+inline constexpr std::size_t kOpenBrackets = 1'000;    // in YAML, quoted and commented ones too
 inline constexpr std::size_t kSceneNodes = 2'000'000;  // keys and values of a scene
 inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a plan
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
 inline constexpr std::size_t kFaults = 200;            // listed at once
+inline constexpr std::size_t kLineFaults = 20;         // of them, of one mesh or map
 
 // Counts of a scene
 inline constexpr std::size_t kRobots = 10'000;

@@ -50,32 +50,59 @@ std::optional<Map> load_map(const Fields& fields, SceneContext& context) {
   return Map{std::move(*grid), *cell, Pose::Identity()};
 }
 
-// How far the boxes reach below and above the map's plane.
+// From where to where the boxes reach along the map's z, 0 being the map's plane.
 struct Extent {
-  double below;
-  double above;
+  double low;
+  double high;
 };
 
-std::optional<Extent> extent_of(const Fields& fields, const Map* map, SceneContext& context) {
-  const auto given = fields.find("height");
-  if (context.space == Space::kSpatial) {
-    const auto height_value = fields.require("height", "how far the walls of a map rise, in m");
-    const auto height =
-        height_value ? read_number(*height_value, kSizeRange, context.faults) : std::nullopt;
+// The least extent that holds all of the bounds, wherever the map lies and however it is tilted.
+Extent extent_of(const Bounds& bounds, const Pose& pose) {
+  const Vec3 z = pose.linear().col(2);
+  const Vec3 low = (bounds.min - pose.translation()).cwiseProduct(z);
+  const Vec3 high = (bounds.max - pose.translation()).cwiseProduct(z);
+  return {low.cwiseMin(high).sum(), low.cwiseMax(high).sum()};
+}
+
+// Without a height, walls leave no room above or below them.
+std::optional<Extent> spatial_extent(const Fields& fields, const Pose& pose,
+                                     SceneContext& context) {
+  if (const auto given = fields.find("height")) {
+    const auto height = read_number(*given, kSizeRange, context.faults);
     return height ? std::optional<Extent>({0, *height}) : std::nullopt;
   }
+  if (!context.bounds) {
+    if (!context.bounds_given) {
+      fields.require("height",
+                     "how far the walls of the map rise, in m, or environment.bounds to fill");
+    }
+    return std::nullopt;
+  }
+  const Extent extent = extent_of(*context.bounds, pose);
+  if (extent.high - extent.low <= limits::kSize) return extent;
+  fault_at(fields.map(), "height",
+           "the bounds are " + in_words(extent.high - extent.low) +
+               " m high, too much to fill; expected a height of at most " +
+               in_words(limits::kSize) + " m",
+           context.faults);
+  return std::nullopt;
+}
+
+std::optional<Extent> extent_of(const Fields& fields, double cell, const Pose& pose,
+                                SceneContext& context) {
+  if (context.space == Space::kSpatial) return spatial_extent(fields, pose, context);
+  const auto given = fields.find("height");
   if (given && context.space == Space::kPlanar) {
     fault_at(*given, "a map has no height in a planar scene", context.faults);
   }
-  const double half = map != nullptr ? map->cell / 2 : 1;
-  return Extent{half, half};
+  return Extent{-cell / 2, cell / 2};
 }
 
 Obstacle to_obstacle(const CellBlock& block, const Map& map, const Extent& extent,
                      const std::string& name, const Pose& pose) {
   const auto metres = [&](std::size_t cells) { return static_cast<double>(cells) * map.cell; };
-  const Vec3 low(metres(block.first_column), metres(block.first_row), -extent.below);
-  const Vec3 high(metres(block.last_column + 1), metres(block.last_row + 1), extent.above);
+  const Vec3 low(metres(block.first_column), metres(block.first_row), extent.low);
+  const Vec3 high(metres(block.last_column + 1), metres(block.last_row + 1), extent.high);
   Pose placed = pose * map.origin;
   placed.translation() = placed * ((low + high) / 2).eval();
   return {name + " x " + std::to_string(block.first_column) + "-" +
@@ -86,11 +113,12 @@ Obstacle to_obstacle(const CellBlock& block, const Map& map, const Extent& exten
 
 }  // namespace
 
-void read_map(const Fields& fields, const std::string& name, const Pose& pose,
+void read_map(const Fields& fields, const std::string& name, const std::optional<Pose>& pose,
               SceneContext& context, std::vector<Obstacle>& obstacles) {
   const auto map = load_map(fields, context);
-  const auto extent = extent_of(fields, map ? &*map : nullptr, context);
-  if (!map || !extent) return;
+  const auto extent =
+      extent_of(fields, map ? map->cell : 1, pose.value_or(Pose::Identity()), context);
+  if (!map || !extent || !pose) return;
   const Value value = *fields.find("map");
   const double side = static_cast<double>(std::max(map->grid.width, map->grid.height)) * map->cell;
   if (side > limits::kSize) {
@@ -110,7 +138,7 @@ void read_map(const Fields& fields, const std::string& name, const Pose& pose,
   }
   obstacles.reserve(obstacles.size() + blocks->size());
   for (const CellBlock& block : *blocks) {
-    obstacles.push_back(to_obstacle(block, *map, *extent, name, pose));
+    obstacles.push_back(to_obstacle(block, *map, *extent, name, *pose));
   }
 }
 

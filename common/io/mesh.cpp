@@ -73,7 +73,7 @@ std::optional<TriangleSoup> parse(const std::filesystem::path& path, const Blame
                                   Faults& faults) {
   const std::string extension = extension_of(path);
   if (extension != ".stl" && extension != ".obj") {
-    blame("expected a mesh that ends in .stl or .obj, not " + in_quotes(path.string()));
+    blame("expected a mesh that ends in .stl or .obj, not " + path_in_quotes(path));
     return std::nullopt;
   }
   const auto bytes = read_file(path, limits::kMeshBytes);
@@ -81,8 +81,34 @@ std::optional<TriangleSoup> parse(const std::filesystem::path& path, const Blame
     blame(bytes.error());
     return std::nullopt;
   }
-  return extension == ".stl" ? parse_stl(*bytes, path.string(), faults)
+  return extension == ".stl" ? parse_stl(*bytes, path.string(), blame, faults)
                              : parse_obj(*bytes, path.string(), faults);
+}
+
+// Whether a mesh can be worked with; says why not. The size first: what is far too large or too
+// small has no areas that could be told.
+bool is_sound(const TriangleMesh& mesh, const std::string& name, const MeshBlame& blame) {
+  double reach = 0;
+  Vec3 low = mesh.vertices.empty() ? Vec3::Zero() : mesh.vertices.front();
+  Vec3 high = low;
+  for (const Vec3& vertex : mesh.vertices) {
+    reach = std::max(reach, vertex.cwiseAbs().maxCoeff());
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  if (reach > limits::kCoordinate) {
+    blame.scale(name + " has coordinates of up to " + in_words(reach) +
+                " m at this scale; expected at most " + in_words(limits::kCoordinate) + " m");
+    return false;
+  }
+  const double size = (high - low).maxCoeff();
+  if (!mesh.vertices.empty() && size < limits::kMinSize) {
+    blame.scale(name + " measures no more than " + in_words(size) +
+                " m at this scale; expected at least " + in_words(limits::kMinSize) + " m");
+    return false;
+  }
+  if (mesh.triangles.empty()) blame.file(name + " has no triangle with an area");
+  return !mesh.triangles.empty();
 }
 
 }  // namespace
@@ -115,26 +141,15 @@ TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale) {
 }
 
 std::shared_ptr<const TriangleMesh> MeshStore::load(const std::filesystem::path& path,
-                                                    const Vec3& scale, const Blame& blame,
+                                                    const Vec3& scale, const MeshBlame& blame,
                                                     Faults& faults) {
   const auto [found, is_new] =
       meshes_.try_emplace({path.string(), {scale.x(), scale.y(), scale.z()}});
   if (!is_new) return found->second;
-  const auto soup = parse(path, blame, faults);
+  const auto soup = parse(path, blame.file, faults);
   if (!soup) return nullptr;
   auto mesh = std::make_shared<TriangleMesh>(weld(*soup, scale));
-  if (mesh->triangles.empty()) {
-    faults.add(path.string(), 0, "", "no triangle that has an area");
-    return nullptr;
-  }
-  for (const Vec3& vertex : mesh->vertices) {
-    if (vertex.cwiseAbs().maxCoeff() <= limits::kCoordinate) continue;
-    faults.add(path.string(), 0, "",
-               "a vertex at (" + in_words(vertex.x()) + ", " + in_words(vertex.y()) + ", " +
-                   in_words(vertex.z()) + "); expected coordinates within " +
-                   in_words(limits::kCoordinate) + " m");
-    return nullptr;
-  }
+  if (!is_sound(*mesh, path_in_quotes(path), blame)) return nullptr;
   found->second = std::move(mesh);
   return found->second;
 }

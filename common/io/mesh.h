@@ -20,13 +20,19 @@ namespace accord {
 // the triangles turned alike. The order of vertices and triangles depends on the soup alone.
 TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale);
 
+// Whoever named a mesh, to blame for what no line of its file is.
+struct MeshBlame {
+  Blame file;   // it cannot be read, or holds no mesh
+  Blame scale;  // the mesh is too large or too small
+};
+
 // The meshes of one scene. Not thread safe.
 class MeshStore {
  public:
-  // `blame` is called where the file is missing or of an unknown kind; other faults stand in the
-  // file itself. Null where there was a fault, which is reported once for each file and scale.
+  // Faults of lines stand in the file itself, others are put to whoever is to blame. Null where
+  // there was a fault, which is reported once for each file and scale.
   std::shared_ptr<const TriangleMesh> load(const std::filesystem::path& path, const Vec3& scale,
-                                           const Blame& blame, Faults& faults);
+                                           const MeshBlame& blame, Faults& faults);
 
  private:
   using Key = std::pair<std::string, std::array<double, 3>>;

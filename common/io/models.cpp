@@ -20,12 +20,12 @@ namespace {
 constexpr std::array<std::string_view, 4> kKinds = {"disk", "footprint", "ball", "urdf"};
 
 // Adds what the SRDF beside the URDF says, where there is one.
-void add_srdf(std::filesystem::path path, RobotModel& model, Faults& faults) {
+void add_srdf(std::filesystem::path path, RobotModel& model, const Blame& blame, Faults& faults) {
   path.replace_extension(".srdf");
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return;
   const auto text = read_file(path, limits::kUrdfBytes);
-  if (!text) return faults.add(path.string(), 0, "", text.error());
+  if (!text) return blame(text.error());
   apply_srdf(*text, path.string(), model, faults);
 }
 
@@ -41,7 +41,8 @@ std::optional<RobotModel> read_arm(const Value& value, SceneContext& context) {
   }
   auto arm = parse_urdf(*text, *path, context.meshes, context.faults);
   if (!arm) return std::nullopt;
-  add_srdf(*path, arm->model, context.faults);
+  add_srdf(
+      *path, arm->model, [&](auto why) { fault_at(urdf, why, context.faults); }, context.faults);
   for (std::size_t i = 0; i < arm->model.bodies.size(); ++i) {
     context.afford(arm->model.bodies[i].shape,
                    [&](auto why) { context.faults.add(arm->body_places[i], why); });

@@ -11,7 +11,7 @@
 namespace accord {
 
 // Cells '.' and 'G' are free, '@', 'O', 'T', 'S' and 'W' blocked; the first row is the topmost.
-// Anything else is reported with its line. Thread safe.
+// Anything else is reported with its line, all lines up to kLineFaults. Thread safe.
 std::optional<Grid> parse_movingai_map(std::string_view text, const std::string& file,
                                        Faults& faults);
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "common/io/fields.h"
 #include "common/io/limits.h"
+#include "common/io/line_faults.h"
 #include "common/io/line_reader.h"
 #include "common/io/triangle_soup.h"
 #include "common/io/words.h"
@@ -18,60 +20,61 @@ constexpr std::array<std::string_view, 10> kDecoration = {"vn", "vt", "vp", "o",
 class ObjParser {
  public:
   ObjParser(std::string_view text, const std::string& file, Faults& faults)
-      : lines_(text), file_(file), faults_(faults) {}
+      : lines_(text), faults_(lines_, file, faults) {}
 
   std::optional<TriangleSoup> parse() {
-    while (lines_.next()) {
+    while (!faults_.over() && lines_.next()) {
       std::string_view rest = lines_.line().substr(0, lines_.line().find('#'));
       const std::string_view word = take_word(rest);
-      if (!statement(word, rest)) return std::nullopt;
+      statement(word, rest);
     }
+    if (faults_.any()) return std::nullopt;
     return std::move(soup_);
   }
 
  private:
-  bool fault(std::string_view text) {
-    faults_.add(file_, lines_.number(), "", text);
-    return false;
-  }
-
-  bool statement(std::string_view word, std::string_view rest) {
+  void statement(std::string_view word, std::string_view rest) {
     if (word == "v") return vertex(rest);
     if (word == "f") return face(rest);
-    const bool known = word.empty() || std::ranges::find(kDecoration, word) != kDecoration.end();
-    return known || fault("expected a line of an OBJ file, such as v or f, not " + in_quotes(word));
+    if (word.empty() || std::ranges::find(kDecoration, word) != kDecoration.end()) return;
+    faults_.add("expected a line of an OBJ file, such as v or f, not " + in_quotes(word));
   }
 
-  bool vertex(std::string_view rest) {
+  void vertex(std::string_view rest) {
+    if (vertices_.size() == 3 * limits::kTriangles) {
+      return faults_.give_up("more than " + std::to_string(3 * limits::kTriangles) + " vertices");
+    }
     Vec3 point;
     for (Eigen::Index k = 0; k < 3; ++k) {
       const std::string_view word = take_word(rest);
       const auto value = parse_number(word);
       if (!value || !std::isfinite(*value)) {
-        return fault("expected three finite coordinates after v, not " + in_quotes(word));
+        faults_.add("expected three finite coordinates after v, not " + in_quotes(word));
+        // A vertex all the same, so that later ones keep their numbers; no face of it is at fault.
+        point.setConstant(std::numeric_limits<double>::quiet_NaN());
+        break;
       }
       point[k] = *value;
     }
     vertices_.push_back(point);
-    return vertices_.size() <= 3 * limits::kTriangles ||
-           fault("more than " + std::to_string(3 * limits::kTriangles) + " vertices");
   }
 
-  bool face(std::string_view rest) {
+  void face(std::string_view rest) {
     std::vector<Vec3> corners;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       const auto corner = corner_index(word);
-      if (!corner) return false;
+      if (!corner) return;
       corners.push_back(vertices_[*corner]);
       if (corners.size() > limits::kPolygonVertices) {
-        return fault("a face of more than " + std::to_string(limits::kPolygonVertices) +
-                     " corners");
+        return faults_.add("a face of more than " + std::to_string(limits::kPolygonVertices) +
+                           " corners");
       }
     }
     if (corners.size() < 3) {
-      return fault("a face of " + std::to_string(corners.size()) + " corners; expected 3 or more");
+      return faults_.add("a face of " + std::to_string(corners.size()) +
+                         " corners; expected 3 or more");
     }
-    return fan(corners);
+    fan(corners);
   }
 
   // "7", "7/1", "7//2", "7/1/2": the first number, from 1; negative ones count from the end.
@@ -83,14 +86,14 @@ class ObjParser {
     if (index < 0) index += count + 1;
     if (error != std::errc() || end != digits.data() + digits.size() || index < 1 ||
         index > count) {
-      fault("expected the number of one of the " + std::to_string(count) +
-            " vertices so far, not " + in_quotes(word));
+      faults_.add("expected the number of one of the " + std::to_string(count) +
+                  " vertices so far, not " + in_quotes(word));
       return std::nullopt;
     }
     return static_cast<std::size_t>(index - 1);
   }
 
-  bool fan(const std::vector<Vec3>& corners) {
+  void fan(const std::vector<Vec3>& corners) {
     Vec3 normal = Vec3::Zero();  // of the whole face
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
       normal += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
@@ -98,17 +101,17 @@ class ObjParser {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
       const Vec3 one = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
       if (one.dot(normal) < -1e-9 * normal.squaredNorm()) {
-        return fault("a face that is not convex; cut it into triangles");
+        return faults_.add("a face that is not convex; cut it into triangles");
       }
       soup_.push_back({corners[0], corners[i], corners[i + 1]});
     }
-    return soup_.size() <= limits::kTriangles ||
-           fault("more than " + std::to_string(limits::kTriangles) + " triangles");
+    if (soup_.size() > limits::kTriangles) {
+      faults_.give_up("more than " + std::to_string(limits::kTriangles) + " triangles");
+    }
   }
 
   LineReader lines_;
-  const std::string& file_;
-  Faults& faults_;
+  LineFaults faults_;
   std::vector<Vec3> vertices_;
   TriangleSoup soup_;
 };

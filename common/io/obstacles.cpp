@@ -34,9 +34,9 @@ void read_obstacle(const Value& value, std::size_t number, SceneContext& context
   if (const auto given = fields.find("name")) {
     name = read_name(*given, context.faults).value_or(name);
   }
-  const Pose pose = read_pose(fields, context.space, context.faults);
+  const auto pose = read_pose(fields, context.space, context.faults);
   if (kind == "map") {
-    if (context.space == Space::kPlanar && pose.translation().z() != 0) {
+    if (context.space == Space::kPlanar && pose && pose->translation().z() != 0) {
       fault_at(*fields.find("at"), "a map lies in the plane z = 0 of a planar scene",
                context.faults);
     }
@@ -44,13 +44,13 @@ void read_obstacle(const Value& value, std::size_t number, SceneContext& context
   }
   const auto shape = read_shape(fields, kind, context);
   const auto blame = [&](std::string_view text) { fault_at(value, text, context.faults); };
-  if (!shape || !context.afford(*shape, blame)) return;
+  if (!shape || !context.afford(*shape, blame) || !pose) return;
   if (context.space == Space::kPlanar) {
-    if (const auto cut = planar_cut(*shape, pose); !cut) {
+    if (const auto cut = planar_cut(*shape, *pose); !cut) {
       return blame(in_quotes(name) + " " + cut.error());
     }
   }
-  obstacles.push_back({std::move(name), *shape, pose});
+  obstacles.push_back({std::move(name), *shape, *pose});
 }
 
 }  // namespace

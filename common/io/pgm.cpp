@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "common/io/files.h"
 #include "common/io/limits.h"
 #include "common/io/words.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 class PgmParser {
  public:
-  PgmParser(std::string_view bytes, const std::string& file, Faults& faults)
-      : rest_(bytes), file_(file), faults_(faults) {}
+  PgmParser(std::string_view bytes, const std::string& file, const Blame& blame, Faults& faults)
+      : rest_(bytes), file_(file), blame_(blame), faults_(faults) {}
 
   std::optional<Graymap> parse() {
     const std::string_view magic = rest_.substr(0, 2);
@@ -80,8 +81,8 @@ class PgmParser {
     const std::size_t width = map.max_value < 256 ? 1 : 2;
     if (!rest_.empty()) rest_.remove_prefix(1);  // the one blank after the header
     if (rest_.size() < count * width) {
-      fail("the file ends after " + std::to_string(rest_.size() / width) + " of " +
-           std::to_string(count) + " cells");
+      blame_(path_in_quotes(file_) + " ends after " + std::to_string(rest_.size() / width) +
+             " of " + std::to_string(count) + " cells");
       return false;
     }
     map.values.reserve(count);
@@ -91,7 +92,9 @@ class PgmParser {
     for (std::size_t i = 0; i < count; ++i) {
       const unsigned value = width == 1 ? byte(i) : (byte(2 * i) << 8U) + byte(2 * i + 1);
       if (value > map.max_value) {
-        fail("the cell " + std::to_string(i) + " is brighter than white");
+        blame_("the cell " + std::to_string(i) + " of " + path_in_quotes(file_) + " is " +
+               std::to_string(value) + "; expected at most white, " +
+               std::to_string(map.max_value));
         return false;
       }
       map.values.push_back(static_cast<std::uint16_t>(value));
@@ -102,13 +105,15 @@ class PgmParser {
   std::string_view rest_;
   int line_ = 1;
   const std::string& file_;
+  const Blame& blame_;
   Faults& faults_;
 };
 
 }  // namespace
 
-std::optional<Graymap> parse_pgm(std::string_view bytes, const std::string& file, Faults& faults) {
-  return PgmParser(bytes, file, faults).parse();
+std::optional<Graymap> parse_pgm(std::string_view bytes, const std::string& file,
+                                 const Blame& blame, Faults& faults) {
+  return PgmParser(bytes, file, blame, faults).parse();
 }
 
 }  // namespace accord

@@ -19,7 +19,9 @@ struct Graymap {
   std::vector<std::uint16_t> values;  // row by row, the topmost first
 };
 
-// Text (P2) or binary (P5, one or two bytes a value), comments included. Thread safe.
-std::optional<Graymap> parse_pgm(std::string_view bytes, const std::string& file, Faults& faults);
+// Text (P2) or binary (P5, one or two bytes a value), comments included. Faults of the binary part
+// have no line: whoever named the file is blamed for them, with its name. Thread safe.
+std::optional<Graymap> parse_pgm(std::string_view bytes, const std::string& file,
+                                 const Blame& blame, Faults& faults);
 
 }  // namespace accord

@@ -19,7 +19,8 @@ Pose make_pose(const Vec3& at, const Vec3& rpy) {
   return pose;
 }
 
-Pose read_pose(const Fields& fields, Space space, Faults& faults) {
+std::optional<Pose> read_pose(const Fields& fields, Space space, Faults& faults) {
+  const std::size_t before = faults.count();
   Vec3 at = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
   if (const auto value = fields.find("at")) {
@@ -33,9 +34,9 @@ Pose read_pose(const Fields& fields, Space space, Faults& faults) {
     if (space == Space::kPlanar && (rpy.x() != 0 || rpy.y() != 0)) {
       fault_at(*value, "roll and pitch must be 0 in a planar scene: they turn out of its plane",
                faults);
-      rpy.x() = rpy.y() = 0;
     }
   }
+  if (faults.count() != before) return std::nullopt;
   return make_pose(at, rpy);
 }
 

@@ -17,7 +17,8 @@ enum class Space { kPlanar, kSpatial, kUnknown };
 Pose make_pose(const Vec3& at, const Vec3& rpy);
 
 // From the keys `at` and `rpy`, identity where both are absent. Reports roll or pitch in a planar
-// scene. Parts at fault count as absent.
-Pose read_pose(const Fields& fields, Space space, Faults& faults);
+// scene. nullopt where a part is at fault: whatever it places is nowhere, so that no other fault
+// follows from where it would be without.
+std::optional<Pose> read_pose(const Fields& fields, Space space, Faults& faults);
 
 }  // namespace accord

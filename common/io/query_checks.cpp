@@ -23,7 +23,7 @@ std::string metres(double value) {
 struct Side {
   std::string_view word;
   Configuration Robot::*configuration;
-  Value PlacedRobot::*value;
+  std::optional<Value> PlacedRobot::*value;  // nullopt: not to be checked
 };
 
 constexpr std::array kSides = {Side{"start", &Robot::start, &PlacedRobot::start},
@@ -36,10 +36,15 @@ class QueryChecker {
       : scene_(*scene), world_(std::move(scene), kQueryMargin), robots_(robots), faults_(faults) {}
 
   void check(const Side& side) {
-    for (std::uint32_t i = 0; i < scene_.robots.size() && !faults_.full(); ++i) {
-      check_alone(side, RobotId{i});
+    std::vector<RobotId> robots;
+    for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
+      if (robots_[i].*side.value) robots.push_back(RobotId{i});
     }
-    check_pairs(side);
+    for (const RobotId id : robots) {
+      if (faults_.full()) return;
+      check_alone(side, id);
+    }
+    check_pairs(side, robots);
   }
 
  private:
@@ -47,11 +52,13 @@ class QueryChecker {
     return scene_.robot(id).*side.configuration;
   }
 
+  // Requires: the robot has such a side.
   void report(const Side& side, RobotId id, const std::string& text) {
     const bool arm = scene_.robot(id).model->kind == RobotKind::kArm;
     const std::string word(side.word);
+    const PlacedRobot& placed = robots_[id.index()];
     fault_at(
-        robots_[id.index()].*side.value,
+        (placed.*side.value).value_or(placed.value),
         text + (arm ? "; choose another " + word : "; move the " + word + " or shrink the robot"),
         faults_);
   }
@@ -111,24 +118,24 @@ class QueryChecker {
   }
 
   // Sort and sweep along the axis on which the robots are spread widest.
-  void check_pairs(const Side& side) {
+  void check_pairs(const Side& side, const std::vector<RobotId>& robots) {
     std::vector<Aabb> boxes;
-    for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
-      const Configuration& q = configuration(side, RobotId{i});
-      boxes.push_back(world_.swept_bounds(RobotId{i}, q, q));
+    for (const RobotId id : robots) {
+      const Configuration& q = configuration(side, id);
+      boxes.push_back(world_.swept_bounds(id, q, q));
       boxes.back().max.array() += world_.required_separation();
     }
     const Eigen::Index axis = widest_axis(boxes);
-    std::vector<std::uint32_t> order(boxes.size());
+    std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes[i].min[axis]; });
+    std::ranges::sort(order, {}, [&](std::size_t i) { return boxes[i].min[axis]; });
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         if (boxes[order[j]].min[axis] > boxes[order[i]].max[axis]) break;
         if (!boxes[order[i]].overlaps(boxes[order[j]])) continue;
         if (faults_.full()) return;
-        check_pair(side, RobotId{std::min(order[i], order[j])},
-                   RobotId{std::max(order[i], order[j])});
+        check_pair(side, robots[std::min(order[i], order[j])],
+                   robots[std::max(order[i], order[j])]);
       }
     }
   }

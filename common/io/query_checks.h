@@ -15,7 +15,8 @@ namespace accord {
 inline constexpr double kQueryMargin = 2e-6;  // m
 
 // Reports starts and goals that leave the bounds, touch obstacles or the robot itself, or come too
-// close to another robot's. robots[i] tells where scene.robots[i] stands in the file.
+// close to another robot's. robots[i] tells where scene.robots[i] stands in the file, and which of
+// its start and goal there are to check.
 void check_queries(std::shared_ptr<const Scene> scene, const std::vector<PlacedRobot>& robots,
                    Faults& faults);
 

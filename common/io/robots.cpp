@@ -78,34 +78,51 @@ class RobotsReader {
     if (!expect_map(value, "a robot: a map of name, model, start, goal", faults_)) {
       return std::nullopt;
     }
-    const std::size_t before = faults_.count();
     const Fields fields(value, "a robot", {"name", "model", "start", "goal", "at", "rpy"}, faults_);
-    Robot robot{read_unique_name(fields), find_model(fields), Pose::Identity(), {}, {}};
+    PlacedRobot placed{{read_unique_name(fields), find_model(fields), Pose::Identity(), {}, {}},
+                       value,
+                       std::nullopt,
+                       std::nullopt};
+    Robot& robot = placed.robot;
     const auto start = fields.require("start", "a configuration");
     const auto goal = fields.require("goal", "a configuration");
     if (!robot.model) return std::nullopt;
-    robot.base = read_base(fields, *robot.model);
-    if (start)
-      robot.start = read_configuration(*start, *robot.model, faults_).value_or(robot.start);
-    if (goal) robot.goal = read_configuration(*goal, *robot.model, faults_).value_or(robot.goal);
-    if (faults_.count() != before) return std::nullopt;
-    const auto blame = [&](std::string_view text) { fault_at(value, text, faults_); };
-    if (!afford(robot, blame)) return std::nullopt;
-    if (context_.space == Space::kPlanar) check_planar_bodies(robot, blame);
-    if (faults_.count() != before) return std::nullopt;
-    return PlacedRobot{std::move(robot), value, *start, *goal};
+    const auto base = read_base(fields, *robot.model);
+    if (start && read_query(*start, *robot.model, robot.start)) placed.start = start;
+    if (goal && read_query(*goal, *robot.model, robot.goal)) placed.goal = goal;
+    if (!base || !can_stand(robot, *base, value)) return std::nullopt;
+    return placed;
   }
 
+  // Reads a start or a goal into `q`, unless it is at fault.
+  bool read_query(const Value& value, const RobotModel& model, Configuration& q) {
+    const auto read = read_configuration(value, model, faults_);
+    if (read) q = *read;
+    return read.has_value();
+  }
+
+  // Puts the robot on its base; false where the scene has no room for its bodies there.
+  bool can_stand(Robot& robot, const Pose& base, const Value& value) {
+    robot.base = base;
+    const auto blame = [&](std::string_view text) { fault_at(value, text, faults_); };
+    if (!afford(robot, blame)) return false;
+    const std::size_t before = faults_.count();
+    if (context_.space == Space::kPlanar) check_planar_bodies(robot, blame);
+    return faults_.count() == before;
+  }
+
+  // Without a name of its own, a robot goes by its place in the file in what is said of it.
   std::string read_unique_name(const Fields& fields) {
     const auto value = fields.require("name", "a name of its own");
     const auto name = value ? read_name(*value, faults_) : std::nullopt;
-    if (!name) return "";
+    if (!name) return fields.map().path();
     const auto [first, is_new] = names_.emplace(*name, value->line());
     if (!is_new) {
       fault_at(*value,
                in_quotes(*name) + " is the name of another robot, in line " +
                    std::to_string(first->second),
                faults_);
+      return fields.map().path();
     }
     return *name;
   }
@@ -124,7 +141,8 @@ class RobotsReader {
     return nullptr;
   }
 
-  Pose read_base(const Fields& fields, const RobotModel& model) {
+  // nullopt where it is not known where the robot stands.
+  std::optional<Pose> read_base(const Fields& fields, const RobotModel& model) {
     if (model.kind == RobotKind::kArm) return read_pose(fields, context_.space, faults_);
     for (const std::string_view key : {"at", "rpy"}) {
       if (const auto value = fields.find(key)) {

@@ -1,6 +1,8 @@
 // The robots of a scene and their queries.
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "common/io/document.h"
@@ -14,12 +16,14 @@ namespace accord {
 struct PlacedRobot {
   Robot robot;
   Value value;
-  Value start;
-  Value goal;
+  std::optional<Value> start;  // nullopt where it is missing or at fault: robot.start is no place
+  std::optional<Value> goal;   // likewise
 };
 
-// Reads the list `robots`. Those at fault are reported and left out. `models` is null where the
-// scene's models could not be read at all: then nobody is blamed for naming one.
+// Reads the list `robots` and reports what is at fault. Left out are only robots of which nothing
+// more can be checked, as their model or their place is not known; others are there with whatever
+// is sound about them. `models` is null where the scene's models could not be read at all: then
+// nobody is blamed for naming one.
 std::vector<PlacedRobot> read_robots(const Value& list, const Models* models,
                                      SceneContext& context);
 

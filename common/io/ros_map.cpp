@@ -14,28 +14,42 @@ constexpr std::size_t kMapValues = 10'000;  // keys and values of the YAML file
 
 constexpr Range kThreshold{0, 1, ""};
 
-struct Thresholds {
+// How the YAML file says that values of the graymap are to be read.
+struct Reading {
   bool negate = false;
+  bool trinary = true;
   double occupied = 0.65;
   double free = 0.196;
 };
 
-Grid to_grid(const Graymap& map, const Thresholds& thresholds) {
+// Whether a cell is one that nobody has looked at. Map savers of ROS write those as 205 of 255, and
+// reading with it that do not always tell: at nav2's free_thresh of 0.25 its occupancy of 0.196
+// would be free.
+bool is_unknown(unsigned whiteness, unsigned white) {
+  return whiteness * 255 == white * 205;
+}
+
+bool is_blocked(unsigned value, unsigned white, const Reading& reading) {
+  const unsigned whiteness = reading.negate ? white - value : value;
+  if (reading.trinary && is_unknown(whiteness, white)) return true;
+  const double occupancy = static_cast<double>(white - whiteness) / white;
+  return occupancy >= reading.free;
+}
+
+Grid to_grid(const Graymap& map, const Reading& reading) {
   Grid grid{map.width, map.height, std::vector<std::uint8_t>(map.values.size())};
   for (std::size_t row = 0; row < map.height; ++row) {
     for (std::size_t column = 0; column < map.width; ++column) {
-      const double value = map.values[row * map.width + column];
-      const double white = map.max_value;
-      const double occupancy = (thresholds.negate ? value : white - value) / white;
+      const unsigned value = map.values[row * map.width + column];
       const std::size_t y = map.height - 1 - row;
-      grid.blocked[y * map.width + column] = occupancy < thresholds.free ? 0 : 1;
+      grid.blocked[y * map.width + column] = is_blocked(value, map.max_value, reading) ? 1 : 0;
     }
   }
   return grid;
 }
 
 std::optional<Grid> read_image(const Value& image, const std::filesystem::path& folder,
-                               const Thresholds& thresholds, Faults& faults) {
+                               const Reading& reading, Faults& faults) {
   const auto name = read_name(image, faults);
   if (!name) return std::nullopt;
   const auto path = resolve(*name, folder);
@@ -44,32 +58,33 @@ std::optional<Grid> read_image(const Value& image, const std::filesystem::path& 
     fault_at(image, bytes.error(), faults);
     return std::nullopt;
   }
-  const auto map = parse_pgm(*bytes, path->string(), faults);
+  const auto map = parse_pgm(
+      *bytes, path->string(), [&](auto why) { fault_at(image, why, faults); }, faults);
   if (!map) return std::nullopt;
-  return to_grid(*map, thresholds);
+  return to_grid(*map, reading);
 }
 
 // Reports into faults; what is at fault keeps its default.
-Thresholds read_thresholds(const Fields& fields, Faults& faults) {
-  Thresholds thresholds;
+Reading read_reading(const Fields& fields, Faults& faults) {
+  Reading reading;
   if (const auto value = fields.find("negate")) {
-    thresholds.negate = read_flag(*value, faults).value_or(false);
+    reading.negate = read_flag(*value, faults).value_or(false);
   }
   if (const auto value = fields.find("occupied_thresh")) {
-    thresholds.occupied = read_number(*value, kThreshold, faults).value_or(1);
+    reading.occupied = read_number(*value, kThreshold, faults).value_or(1);
   }
   if (const auto value = fields.find("free_thresh")) {
-    thresholds.free = read_number(*value, kThreshold, faults).value_or(0);
-    if (thresholds.free > thresholds.occupied) {
-      fault_at(*value, "must not be above occupied_thresh, " + in_words(thresholds.occupied),
-               faults);
+    reading.free = read_number(*value, kThreshold, faults).value_or(0);
+    if (reading.free > reading.occupied) {
+      fault_at(*value, "must not be above occupied_thresh, " + in_words(reading.occupied), faults);
     }
   }
   const auto mode = fields.find("mode");
   if (mode && mode->text() != "trinary" && mode->text() != "scale") {
     fault_at(*mode, "expected trinary or scale, not " + mode->in_words(), faults);
   }
-  return thresholds;
+  reading.trinary = !mode || mode->text() == "trinary";
+  return reading;
 }
 
 }  // namespace
@@ -83,7 +98,7 @@ std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem
       document->root(), "a map_server map",
       {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"},
       faults);
-  const Thresholds thresholds = read_thresholds(fields, faults);
+  const Reading reading = read_reading(fields, faults);
   RosMap map;
   if (const auto value = fields.require("resolution", "the size of a cell in m")) {
     map.resolution = read_number(*value, kSizeRange, faults).value_or(1);
@@ -93,7 +108,7 @@ std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem
     if (origin) map.origin = make_pose({(*origin)[0], (*origin)[1], 0}, {0, 0, (*origin)[2]});
   }
   if (const auto image = fields.require("image", "the name of a pgm file")) {
-    auto grid = read_image(*image, path.parent_path(), thresholds, faults);
+    auto grid = read_image(*image, path.parent_path(), reading, faults);
     if (grid) map.grid = std::move(*grid);
   }
   if (faults.count() != before) return std::nullopt;

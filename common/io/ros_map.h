@@ -17,11 +17,11 @@ struct RosMap {
   Pose origin;        // of the lower left corner of the grid
 };
 
-// A cell is free where its occupancy is below free_thresh; all others, the unknown ones too, are
-// blocked. Occupancy is (white - value) / white, or value / white where `negate`. Keys: image,
+// A cell is free where its occupancy is below free_thresh; all others are blocked, and in mode
+// trinary so are those of occupancy 50/255 exactly, which is how map savers write unknown ones (205
+// of 255). Occupancy is (white - value) / white, or value / white where `negate`. Keys: image,
 // resolution, origin [x, y, yaw]; and with defaults negate (0), occupied_thresh (0.65), free_thresh
-// (0.196), mode (trinary; scale means the same here). `path` is the YAML file, whose text is given.
-// Thread safe.
+// (0.196), mode (trinary or scale). `path` is the YAML file, whose text is given. Thread safe.
 std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem::path& path,
                                     Faults& faults);
 

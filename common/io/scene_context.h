@@ -10,6 +10,7 @@
 #include "common/io/document.h"
 #include "common/io/mesh.h"
 #include "common/io/pose_fields.h"
+#include "common/model/scene.h"
 
 namespace accord {
 
@@ -18,6 +19,8 @@ struct SceneContext {
   // Where the files that the scene names lie; empty: it may name none.
   std::filesystem::path folder;
   Space space = Space::kUnknown;
+  bool bounds_given = false;          // soundly or not
+  std::optional<Bounds> bounds = {};  // where sound
   MeshStore meshes = {};
 
   // Spent so far; see limits.h.

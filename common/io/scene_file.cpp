@@ -26,7 +26,8 @@ class SceneReader {
   std::shared_ptr<const Scene> read(std::string_view text) {
     if (text.size() > limits::kSceneBytes) {
       faults_.add(file_, 0, "",
-                  "larger than " + std::to_string(limits::kSceneBytes >> 20U) + " MiB");
+                  "the scene is too large; expected at most " +
+                      std::to_string(limits::kSceneBytes >> 20U) + " MiB");
       return nullptr;
     }
     const auto document = read_yaml(text, file_, limits::kSceneNodes, faults_);
@@ -82,10 +83,11 @@ class SceneReader {
       }
     }
     scene_.planar = context_.space == Space::kPlanar;
+    scene_.bounds = context_.bounds;
   }
 
   void read_bounds(const Value& value) {
-    bounds_given_ = true;
+    context_.bounds_given = true;
     context_.space = Space::kUnknown;
     constexpr std::string_view kExpected = "[[x, y], [x, y]] or [[x, y, z], [x, y, z]]";
     if (!value.is_list() || value.size() != 2) {
@@ -119,8 +121,8 @@ class SceneReader {
     const bool planar = min->size() == 2;
     context_.space = planar ? Space::kPlanar : Space::kSpatial;
     if (!sound) return;
-    scene_.bounds = Bounds{{(*min)[0], (*min)[1], planar ? 0 : (*min)[2]},
-                           {(*max)[0], (*max)[1], planar ? 0 : (*max)[2]}};
+    context_.bounds = Bounds{{(*min)[0], (*min)[1], planar ? 0 : (*min)[2]},
+                             {(*max)[0], (*max)[1], planar ? 0 : (*max)[2]}};
   }
 
   std::vector<PlacedRobot> read_fleet(const Fields& fields) {
@@ -133,7 +135,7 @@ class SceneReader {
     std::vector<PlacedRobot> robots = read_robots(*list, models ? &*models : nullptr, context_);
     for (const PlacedRobot& placed : robots) {
       scene_.robots.push_back(placed.robot);
-      if (bounds_given_ || placed.robot.model->kind == RobotKind::kArm) continue;
+      if (context_.bounds_given || placed.robot.model->kind == RobotKind::kArm) continue;
       fault_at(placed.value,
                std::string(kind_in_words(placed.robot.model->kind)) + "s need " +
                    "environment.bounds: nothing else says where they may go",
@@ -146,7 +148,6 @@ class SceneReader {
   Faults& faults_;
   SceneContext context_;
   Scene scene_;
-  bool bounds_given_ = false;  // soundly or not
 };
 
 }  // namespace

@@ -48,7 +48,8 @@ std::optional<Shape> read_polygon_shape(const Value& value, SceneContext& contex
 std::optional<Shape> read_mesh(const Fields& fields, const Value& value, SceneContext& context) {
   constexpr Range kScale{1e-9, 1e9, ""};
   double scale = 1;
-  if (const auto factor = fields.find("scale")) {
+  const auto factor = fields.find("scale");
+  if (factor) {
     const auto number = read_number(*factor, kScale, context.faults);
     if (!number) return std::nullopt;
     scale = *number;
@@ -59,9 +60,10 @@ std::optional<Shape> read_mesh(const Fields& fields, const Value& value, SceneCo
   }
   const auto path = context.file_of(value);
   if (!path) return std::nullopt;
-  auto surface = context.meshes.load(
-      *path, Vec3::Constant(scale), [&](auto text) { fault_at(value, text, context.faults); },
-      context.faults);
+  const MeshBlame blame{
+      .file = [&](auto text) { fault_at(value, text, context.faults); },
+      .scale = [&](auto text) { fault_at(factor.value_or(value), text, context.faults); }};
+  auto surface = context.meshes.load(*path, Vec3::Constant(scale), blame, context.faults);
   if (!surface) return std::nullopt;
   return Mesh{std::move(surface)};
 }

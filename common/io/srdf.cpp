@@ -29,7 +29,7 @@ void apply_srdf(std::string_view text, const std::string& file, RobotModel& mode
   if (!parse_xml(text, file, document, faults)) return;
   const tinyxml2::XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-    faults.add(file, robot == nullptr ? 0 : robot->GetLineNum(), "",
+    faults.add(file, robot == nullptr ? 1 : robot->GetLineNum(), "",
                "expected an SRDF: the element <robot>");
     return;
   }

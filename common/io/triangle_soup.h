@@ -16,9 +16,11 @@ namespace accord {
 
 using TriangleSoup = std::vector<std::array<Vec3, 3>>;
 
-// STL, text or binary. All coordinates of the result are finite. At most kTriangles. Thread safe.
+// STL, text or binary. All coordinates of the result are finite. At most kTriangles. Every line at
+// fault is reported, up to kLineFaults; what has no line, whoever named the file is blamed for,
+// with its name. Thread safe.
 std::optional<TriangleSoup> parse_stl(std::string_view bytes, const std::string& file,
-                                      Faults& faults);
+                                      const Blame& blame, Faults& faults);
 
 // Wavefront OBJ: `v` and `f` count, faces of more corners are cut into triangles where they are
 // convex, what only decorates is passed over. As above otherwise.

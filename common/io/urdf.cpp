@@ -28,7 +28,7 @@ class UrdfParser {
     if (!parse_xml(text, file_, document, faults_)) return std::nullopt;
     const tinyxml2::XMLElement* robot = document.RootElement();
     if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-      faults_.add(file_, robot == nullptr ? 0 : robot->GetLineNum(), "",
+      faults_.add(file_, robot == nullptr ? 1 : robot->GetLineNum(), "",
                   "expected a URDF: the element <robot>");
       return std::nullopt;
     }

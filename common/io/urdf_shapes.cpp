@@ -47,8 +47,13 @@ std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder
     element.fault(path.error());
     return std::nullopt;
   }
-  auto surface = meshes.load(
-      *path, *scale, [&](auto text) { element.fault(text); }, faults);
+  const MeshBlame blame{.file = [&](auto text) { element.fault(text); },
+                        .scale =
+                            [&](auto text) {
+                              if (element.has("scale")) return element.fault("scale", text);
+                              element.fault(text);
+                            }};
+  auto surface = meshes.load(*path, *scale, blame, faults);
   if (!surface) return std::nullopt;
   return Mesh{std::move(surface)};
 }

@@ -45,13 +45,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMaxBytes = 60;
+std::string in_quotes(std::string_view text, std::size_t max_bytes) {
   std::string out = "\"";
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
     const auto byte = static_cast<unsigned char>(text[0]);
-    if (out.size() + std::max<std::size_t>(length, 1) > kMaxBytes) {
+    if (out.size() + std::max<std::size_t>(length, 1) > max_bytes) {
       out += "...";
       break;
     }
@@ -114,6 +113,10 @@ std::size_t first_unprintable(std::string_view text) {
     i += length;
   }
   return std::string_view::npos;
+}
+
+int line_at(std::string_view text, std::size_t position) {
+  return 1 + static_cast<int>(std::ranges::count(text.substr(0, position), '\n'));
 }
 
 }  // namespace accord

@@ -1,6 +1,7 @@
 // The words that messages are made of. Pure functions; thread safe.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace accord {
 
-// In double quotes, safe to print: control characters escaped, cut after 60 bytes with "...".
-std::string in_quotes(std::string_view text);
+// In double quotes, safe to print: control characters escaped, cut with "..." where longer.
+std::string in_quotes(std::string_view text, std::size_t max_bytes = 60);
 
 // Up to six significant digits: 0.14, 12, 1e-09.
 std::string in_words(double value);
@@ -27,5 +28,8 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 // The byte at which text stops being UTF-8 without control characters (tab, line feed and carriage
 // return are fine); npos where all of it is.
 std::size_t first_unprintable(std::string_view text);
+
+// The line, from 1, that the byte at `position` is in.
+int line_at(std::string_view text, std::size_t position);
 
 }  // namespace accord

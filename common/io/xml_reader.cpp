@@ -15,24 +15,43 @@ namespace {
 
 constexpr Range kAnyNumber{-1e12, 1e12, ""};
 
+bool holds(Range range, double value) {
+  return value >= range.min && value <= range.max;
+}
+
 std::optional<double> number_in(std::string_view word, Range range) {
   const auto value = parse_number(word);
-  if (!value || !(*value >= range.min && *value <= range.max)) return std::nullopt;
+  if (!value || !holds(range, *value)) return std::nullopt;
   return value;
+}
+
+// "from 1e-05 to 100000 m".
+std::string range_in_words(Range range) {
+  const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
+  return "from " + in_words(range.min) + " to " + in_words(range.max) + unit;
+}
+
+// Where the first equals sign beyond kXmlAttributes stands; npos where there is none.
+std::size_t one_attribute_too_many(std::string_view text) {
+  std::size_t at = text.find('=');
+  for (std::size_t count = 0; count < limits::kXmlAttributes && at != std::string_view::npos;
+       ++count) {
+    at = text.find('=', at + 1);
+  }
+  return at;
 }
 
 }  // namespace
 
 bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocument& document,
                Faults& faults) {
-  const auto attributes = static_cast<std::size_t>(std::ranges::count(text, '='));
-  if (attributes > limits::kXmlAttributes) {
-    faults.add(file, 0, "", "more than " + std::to_string(limits::kXmlAttributes) + " attributes");
+  if (const std::size_t bad = one_attribute_too_many(text); bad != std::string_view::npos) {
+    faults.add(file, line_at(text, bad), "",
+               "more than " + std::to_string(limits::kXmlAttributes) + " attributes");
     return false;
   }
   if (const std::size_t bad = first_unprintable(text); bad != std::string_view::npos) {
-    const auto line = 1 + std::ranges::count(text.substr(0, bad), '\n');
-    faults.add(file, static_cast<int>(line), "",
+    faults.add(file, line_at(text, bad), "",
                "not text: the byte " + in_quotes(text.substr(bad, 1)) + "; expected UTF-8");
     return false;
   }
@@ -42,7 +61,7 @@ bool parse_xml(std::string_view text, const std::string& file, tinyxml2::XMLDocu
   std::ranges::transform(reason, reason.begin(), [](unsigned char c) {
     return c == '_' ? ' ' : static_cast<char>(std::tolower(c));
   });
-  faults.add(file, document.ErrorLineNum(), "", "not valid XML: " + reason);
+  faults.add(file, std::max(1, document.ErrorLineNum()), "", "not valid XML: " + reason);
   return false;
 }
 
@@ -95,13 +114,12 @@ std::optional<double> XmlElement::number(const char* attribute, Range range) con
     fault(attribute, "expected a finite number, not " + in_quotes(text));
     return std::nullopt;
   }
-  if (*any >= range.min && *any <= range.max) return any;
+  if (holds(range, *any)) return any;
   const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
   const bool sign = range.min > 0 && *any <= 0;
-  fault(attribute, (sign ? "must be greater than 0" + unit
-                         : "expected a number from " + in_words(range.min) + " to " +
-                               in_words(range.max) + unit) +
-                       ", not " + in_words(*any));
+  fault(attribute,
+        (sign ? "must be greater than 0" + unit : "expected a number " + range_in_words(range)) +
+            ", not " + in_words(*any));
   return std::nullopt;
 }
 
@@ -113,20 +131,20 @@ std::optional<Vec3> XmlElement::vector(const char* attribute, Range range) const
   }
   Vec3 out = Vec3::Zero();
   std::string_view rest(text);
-  bool sound = true;
+  bool numbers = true;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const auto value = number_in(take_word(rest), range);
-    sound = sound && value;
+    const auto value = number_in(take_word(rest), kAnyNumber);
+    numbers = numbers && value;
     out[i] = value.value_or(0);
   }
-  if (!sound || !take_word(rest).empty()) {
-    const bool bounded = range.min > 0;
-    fault(attribute, std::string(bounded ? "expected three numbers greater than 0, not "
-                                         : "expected three finite numbers, not ") +
-                         in_quotes(text));
-    return std::nullopt;
-  }
-  return out;
+  numbers = numbers && take_word(rest).empty();
+  if (numbers && holds(range, out.minCoeff()) && holds(range, out.maxCoeff())) return out;
+  const bool sign = range.min > 0 && out.minCoeff() <= 0;
+  const std::string expected = sign      ? "three numbers greater than 0"
+                               : numbers ? "three numbers " + range_in_words(range)
+                                         : "three finite numbers";
+  fault(attribute, "expected " + expected + ", not " + in_quotes(text));
+  return std::nullopt;
 }
 
 void XmlElement::report_misspelt(std::initializer_list<std::string_view> known) const {

@@ -30,6 +30,7 @@ class XmlElement {
 
   Place place() const { return {*file_, element_->GetLineNum(), key_}; }
   void fault(std::string_view text) const { faults_->add(place(), text); }
+  void fault(const char* attribute, std::string_view text) const;
   const std::string& key() const { return key_; }
   const tinyxml2::XMLElement& raw() const { return *element_; }
 
@@ -53,7 +54,6 @@ class XmlElement {
 
  private:
   std::string attribute_key(const char* attribute) const { return key_ + "." + attribute; }
-  void fault(const char* attribute, std::string_view text) const;
 
   const tinyxml2::XMLElement* element_;
   std::string key_;

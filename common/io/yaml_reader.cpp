@@ -16,12 +16,8 @@
 namespace accord {
 namespace {
 
-// Thrown from within yaml-cpp's parser to end it at once; caught below.
-struct Refusal {
-  int line;
-  std::string key;
-  std::string text;
-};
+// Thrown from within yaml-cpp's parser to end it at once, the fault reported; caught below.
+struct Refusal {};
 
 int line_of(const YAML::Mark& mark) {
   return mark.line + 1;
@@ -31,8 +27,8 @@ int line_of(const YAML::Mark& mark) {
 // keep duplicate keys, and can be stopped at the first sign of abuse.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(Document& document, std::size_t max_values)
-      : document_(document), max_values_(max_values) {}
+  Builder(Document& document, std::size_t max_values, Faults& faults)
+      : document_(document), max_values_(max_values), faults_(faults) {}
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (!document_.empty()) refuse(mark, "a second document starts here; expected one");
@@ -40,26 +36,27 @@ class Builder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    check(mark, "", anchor);
+    check_room(mark);
     if (at_key()) refuse(mark, "a key is empty");
-    count();
-    document_.add(ValueKind::kNull, "", line_of(mark));
+    add(mark, ValueKind::kNull, "");
+    check_plain(mark, "", anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse(mark, "aliases (*name) are not supported; write values out");
+    check_room(mark);
+    add(mark, ValueKind::kPlain, "*");  // what it stands for matters no more
+    report(mark, "aliases (*name) are not supported; write values out");
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    check(mark, tag, anchor);
+    check_room(mark);
     const bool plain = tag != "!";
     const bool null = plain && (value.empty() || value == "~" || value == "null");
     if (at_key() && null) refuse(mark, "a key is empty");
-    count();
     const ValueKind kind = plain ? ValueKind::kPlain : ValueKind::kQuoted;
-    document_.add(null ? ValueKind::kNull : kind, null ? "" : std::string_view(value),
-                  line_of(mark));
+    add(mark, null ? ValueKind::kNull : kind, null ? "" : std::string_view(value));
+    check_plain(mark, tag, anchor);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -80,18 +77,28 @@ class Builder : public YAML::EventHandler {
     std::size_t items;
   };
 
-  [[noreturn]] void refuse(const YAML::Mark& mark, std::string text) const {
-    throw Refusal{line_of(mark), "", std::move(text)};
+  [[noreturn]] void refuse(const YAML::Mark& mark, std::string_view text) const {
+    faults_.add(document_.file(), line_of(mark), "", text);
+    throw Refusal{};
   }
 
-  void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
-    if (anchor != YAML::NullAnchor)
-      refuse(mark, "anchors (&name) are not supported; write values out");
-    if (!tag.empty() && tag != "?" && tag != "!") {
-      refuse(mark, "the tag " + in_quotes(tag) + " is not supported; expected plain values");
+  // Blames the value that was added last, and goes on: there may be more.
+  void report(const YAML::Mark& mark, std::string_view text) const {
+    faults_.add(document_.file(), line_of(mark), document_.last().path(), text);
+    if (faults_.full()) throw Refusal{};
+  }
+
+  void check_room(const YAML::Mark& mark) const {
+    if (document_.size() < max_values_) return;
+    refuse(mark, "more than " + std::to_string(max_values_) + " keys and values");
+  }
+
+  void check_plain(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
+    if (anchor != YAML::NullAnchor) {
+      report(mark, "anchors (&name) are not supported; write values out");
     }
-    if (document_.size() >= max_values_) {
-      refuse(mark, "more than " + std::to_string(max_values_) + " keys and values");
+    if (!tag.empty() && tag != "?" && tag != "!") {
+      report(mark, "the tag " + in_quotes(tag) + " is not supported; expected plain values");
     }
   }
 
@@ -103,8 +110,13 @@ class Builder : public YAML::EventHandler {
     if (!levels_.empty()) ++levels_.back().items;
   }
 
+  void add(const YAML::Mark& mark, ValueKind kind, std::string_view text) {
+    count();
+    document_.add(kind, text, line_of(mark));
+  }
+
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, ValueKind kind) {
-    check(mark, tag, anchor);
+    check_room(mark);
     if (at_key()) refuse(mark, "a key must be a word, not a list or a map");
     if (levels_.size() >= limits::kNesting) {
       refuse(mark, "nested more than " + std::to_string(limits::kNesting) + " levels deep");
@@ -112,6 +124,7 @@ class Builder : public YAML::EventHandler {
     count();
     levels_.push_back({kind == ValueKind::kMap, 0});
     document_.open(kind, line_of(mark));
+    check_plain(mark, tag, anchor);
   }
 
   void close() {
@@ -121,6 +134,7 @@ class Builder : public YAML::EventHandler {
 
   Document& document_;
   std::size_t max_values_;
+  Faults& faults_;
   std::vector<Level> levels_;
 };
 
@@ -145,11 +159,6 @@ std::size_t too_many_brackets(std::string_view text) {
   return std::string_view::npos;
 }
 
-int line_at(std::string_view text, std::size_t position) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
 }  // namespace
 
 std::unique_ptr<const Document> read_yaml(std::string_view text, const std::string& file,
@@ -162,29 +171,29 @@ std::unique_ptr<const Document> read_yaml(std::string_view text, const std::stri
   }
   if (const std::size_t bad = too_many_brackets(text); bad != std::string_view::npos) {
     faults.add(file, line_at(text, bad), "",
-               "more than " + std::to_string(limits::kOpenBrackets) + " brackets are open at once");
+               "more than " + std::to_string(limits::kOpenBrackets) +
+                   " brackets are open at once; expected at most " +
+                   std::to_string(limits::kNesting) + " levels of nesting");
     return nullptr;
   }
+  const std::size_t before = faults.count();
   auto document = std::make_unique<Document>(file);
   try {
     TextBuffer buffer(text);
     std::istream stream(&buffer);
     YAML::Parser parser(stream);
-    Builder builder(*document, max_values);
+    Builder builder(*document, max_values, faults);
     while (parser.HandleNextDocument(builder)) {
     }
-  } catch (const Refusal& refusal) {
-    faults.add(file, refusal.line, refusal.key, refusal.text);
+  } catch (const Refusal&) {
     return nullptr;
   } catch (const YAML::Exception& error) {
     faults.add(file, error.mark.is_null() ? 0 : line_of(error.mark), "",
                "not valid YAML: " + error.msg);
     return nullptr;
   }
-  if (document->empty()) {
-    faults.add(file, 0, "", "the file is empty");
-    return nullptr;
-  }
+  if (document->empty()) faults.add(file, 1, "", "the file is empty; expected a map of keys");
+  if (faults.count() != before) return nullptr;
   return document;
 }
 

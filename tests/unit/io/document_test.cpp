@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/io/json_reader.h"
+#include "common/io/limits.h"
 #include "common/io/yaml_reader.h"
 
 namespace accord {
@@ -77,6 +78,34 @@ TEST(YamlReader, TakesAByteOrderMarkAndWindowsLineEnds) {
 
 TEST(YamlReader, RefusesMoreValuesThanAllowed) {
   EXPECT_EQ(fault_of_yaml("[1,\n 2,\n 3,\n 4]", 4), "f:4: more than 4 keys and values");
+}
+
+TEST(YamlReader, ReportsEveryAnchorAliasAndTag) {
+  Faults faults("f");
+  EXPECT_EQ(read_yaml("a: &x [1, !t 2]\nb: [*x, {c: *x}]\n*x : &y !t 3\n", "f", kEnough, faults),
+            nullptr);
+  std::vector<std::string> list;
+  for (const Diagnostic& fault : faults.take()) list.push_back(to_string(fault));
+  const std::string anchor = "anchors (&name) are not supported; write values out";
+  const std::string alias = "aliases (*name) are not supported; write values out";
+  const std::string tag = "the tag \"!t\" is not supported; expected plain values";
+  EXPECT_EQ(list,
+            (std::vector<std::string>{"f:1: a: " + anchor, "f:1: a[1]: " + tag,
+                                      "f:2: b[0]: " + alias, "f:2: b[1].c: " + alias,
+                                      "f:3: *: " + alias, "f:3: *: " + anchor, "f:3: *: " + tag}));
+}
+
+TEST(YamlReader, ReportsNoMoreAliasesThanFaultsAreListed) {
+  Faults faults("f");
+  std::string text = "a: &x 1\nb: [";
+  for (std::size_t i = 0; i < 2 * limits::kFaults; ++i) text += "*x, ";
+  EXPECT_EQ(read_yaml(text + "]", "f", 10 * limits::kFaults, faults), nullptr);
+  EXPECT_EQ(faults.count(), limits::kFaults);
+}
+
+TEST(YamlReader, SaysHowDeepValuesMayLieWhereBracketsNeverEnd) {
+  EXPECT_EQ(fault_of_yaml(std::string(2000, '[')),
+            "f:1: more than 1000 brackets are open at once; expected at most 32 levels of nesting");
 }
 
 TEST(YamlReader, RefusesWhatOnlyLooksLikeText) {

@@ -1,4 +1,4 @@
-// What the two map formats mean, cell by cell and in the world.
+// What maps of either format mean in the world.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,58 +6,12 @@
 #include <numbers>
 #include <string>
 
-#include "common/io/movingai_map.h"
-#include "common/io/pgm.h"
-#include "common/io/ros_map.h"
 #include "common/io/scene_file.h"
 
 namespace accord {
 namespace {
 
 constexpr std::string_view kMap = "type octile\nheight 2\nwidth 3\nmap\n@.G\nT.S\n";
-
-TEST(MovingAiMap, HasItsLastLineAtTheBottom) {
-  Faults faults("m");
-  const auto grid = parse_movingai_map(kMap, "m", faults);
-  ASSERT_TRUE(grid);
-  EXPECT_EQ(grid->blocked, (std::vector<std::uint8_t>{1, 0, 1, 1, 0, 0}));
-}
-
-TEST(MovingAiMap, ReportsAllBrokenRows) {
-  Faults faults("m");
-  EXPECT_FALSE(parse_movingai_map("type octile\nheight 3\nwidth 2\nmap\n.\n..\n.x\n", "m", faults));
-  const auto list = faults.take();
-  ASSERT_EQ(list.size(), 2U);
-  EXPECT_EQ(list[0].line, 5);
-  EXPECT_EQ(list[1].line, 7);
-}
-
-TEST(Pgm, TextAndBinarySayTheSame) {
-  Faults faults("p");
-  const auto text = parse_pgm("P2 # c\n3 # width\n2\n255\n0 1 2\n253 254 255\n", "p", faults);
-  const auto binary = parse_pgm(
-      std::string("P5\n# c\n3 2\n255\n") + std::string("\0\1\2\xFD\xFE\xFF", 6), "p", faults);
-  ASSERT_TRUE(text && binary);
-  EXPECT_EQ(text->values, binary->values);
-  EXPECT_EQ(text->width, 3U);
-}
-
-TEST(Pgm, ReadsTwoBytesAValueAboveMaximum255) {
-  Faults faults("p");
-  const auto map =
-      parse_pgm(std::string("P5 2 1 1000\n") + std::string("\x03\xE8\0\x07", 4), "p", faults);
-  ASSERT_TRUE(map);
-  EXPECT_EQ(map->values, (std::vector<std::uint16_t>{1000, 7}));
-}
-
-TEST(Pgm, RefusesWhatIsCutOffWithoutTakingMemoryForIt) {
-  Faults faults("p");
-  EXPECT_FALSE(parse_pgm("P5 4000 4000 255\n...", "p", faults));
-  EXPECT_FALSE(parse_pgm("P2 4000 4000 255\n1 2 3", "p", faults));
-  EXPECT_FALSE(parse_pgm("P2 4294967297 1 255\n1", "p", faults));
-  EXPECT_FALSE(parse_pgm("P2 2 1 255\n-1 256", "p", faults));
-  EXPECT_FALSE(parse_pgm("", "p", faults));
-}
 
 class MapFiles : public testing::Test {
  protected:
@@ -116,6 +70,28 @@ TEST_F(MapFiles, RiseToTheirHeightInSpatialScenes) {
   EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 3)));
 }
 
+TEST_F(MapFiles, FillTheHeightOfTheBoundsWithoutAHeightOfTheirOwn) {
+  const auto s = scene("{map: m.map, at: [10, 20, 1]}", true);  // bounds from z = 0 to 9
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(10.5, 21, 4.5)));
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 9)));
+}
+
+TEST_F(MapFiles, FillTheBoundsAlongTheirOwnAxisWhereTheyAreTilted) {
+  // A quarter of a roll: the map's z is -y of the world, along which the bounds are 100 m.
+  const auto s = scene("{map: m.map, at: [10, 20, 1], rpy: [1.5707963267948966, 0, 0]}", true);
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(10.5, 0, 2)));
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(1, 2, 100)));
+}
+
+TEST_F(MapFiles, OfRosInSpatialScenesNeedNoHeightEither) {
+  write("r.yaml", "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\n");
+  const auto s = scene("{map: r.yaml, at: [10, 20, 1]}", true);
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(box(s->obstacles[0]).size.isApprox(Vec3(0.5, 1, 9)));
+}
+
 TEST_F(MapFiles, OfRosBlockUnknownCells) {
   write("r.yaml",
         "image: m.pgm\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
@@ -125,6 +101,45 @@ TEST_F(MapFiles, OfRosBlockUnknownCells) {
   ASSERT_EQ(s->obstacles.size(), 2U);
   EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(11.25, 22.5, 0)));  // black, unknown
   EXPECT_TRUE(s->obstacles[1].pose.translation().isApprox(Vec3(12.25, 22.25, 0)));  // grey
+}
+
+TEST_F(MapFiles, OfRosBlockUnknownCellsBelowTheFreeThreshold) {
+  // As nav2 saves maps: with a threshold that alone would make 205 free.
+  write("r.yaml",
+        "image: m.pgm\nmode: trinary\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml, at: [10, 20]}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 2U);
+  EXPECT_TRUE(box(s->obstacles[0]).size.head<2>().isApprox(Vec2(0.5, 1)));  // black, unknown
+}
+
+TEST_F(MapFiles, OfRosBlockUnknownCellsOfAnyWhite) {
+  write("m.pgm", "P2\n3 1\n65535\n65535 52685 65535\n");  // 205 * 257
+  write("r.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(1.5, 0.5, 0)));
+}
+
+TEST_F(MapFiles, OfRosBlockUnknownCellsOfNegatedImages) {
+  write("m.pgm", "P2\n3 1\n255\n0 50 0\n");
+  write("r.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 1\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(1.5, 0.5, 0)));
+}
+
+TEST_F(MapFiles, OfRosInModeScaleHaveNoUnknownCells) {
+  write("m.pgm", "P2\n3 1\n255\n0 205 254\n");
+  write("r.yaml",
+        "image: m.pgm\nmode: scale\nresolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.25\n");
+  const auto s = scene("{map: r.yaml}");
+  ASSERT_TRUE(s);
+  ASSERT_EQ(s->obstacles.size(), 1U);
+  EXPECT_TRUE(s->obstacles[0].pose.translation().isApprox(Vec3(0.5, 0.5, 0)));
 }
 
 TEST_F(MapFiles, OfRosCanBeNegatedAndTurned) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+
+#include "common/io/limits.h"
 
 namespace accord {
 namespace {
@@ -110,6 +113,12 @@ TEST(SceneFile, ReportsFilesThatCannotBeRead) {
             "/nowhere/s.yaml: cannot open \"/nowhere/s.yaml\": no such file");
   EXPECT_EQ(words("/tmp"), "/tmp: cannot open \"/tmp\": it is a folder");
   EXPECT_EQ(words("/dev/zero"), "/dev/zero: cannot open \"/dev/zero\": it is not a regular file");
+}
+
+TEST(SceneFile, SaysHowLargeFilesMayBe) {
+  const SceneResult result = parse_scene(std::string(limits::kSceneBytes + 1, ' '), "s.yaml", "");
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_EQ(to_string(result.faults[0]), "s.yaml: the scene is too large; expected at most 4 MiB");
 }
 
 TEST(SceneFile, AcceptsStartsExactlyAsFarApartAsRobotsNeed) {

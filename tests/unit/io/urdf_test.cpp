@@ -116,6 +116,41 @@ TEST(Urdf, ReportsEveryFaultAtOnce) {
   EXPECT_EQ(list[3].line, 4);
 }
 
+TEST(Urdf, SaysWhichNumbersItExpects) {
+  const auto text = [](const std::string& size) {
+    MeshStore meshes;
+    Faults faults("a.urdf");
+    parse_urdf("<robot name='a'>" + link("a", "<box size='" + size + "'/>") + "</robot>", "a.urdf",
+               meshes, faults);
+    const auto list = faults.take();
+    return list.empty() ? "" : list[0].text;
+  };
+  EXPECT_EQ(text("1 2 0"), "expected three numbers greater than 0, not \"1 2 0\"");
+  EXPECT_EQ(text("1 2 1e9"), "expected three numbers from 1e-05 to 100000 m, not \"1 2 1e9\"");
+  EXPECT_EQ(text("1 2 3 4"), "expected three finite numbers, not \"1 2 3 4\"");
+  EXPECT_EQ(text("1 2 nan"), "expected three numbers greater than 0, not \"1 2 nan\"");
+}
+
+TEST(Urdf, BlamesTheScaleOfAMeshForItsSize) {
+  const std::string folder = ACCORD_SOURCE_DIR "/tests/invalid/files/";
+  MeshStore meshes;
+  Faults faults("a.urdf");
+  const auto with = [](const std::string& attributes) {
+    return "<mesh filename='" + attributes + "/>";
+  };
+  EXPECT_FALSE(parse_urdf("<robot name='a'>\n" +
+                              link("a", with("tetrahedron.obj' scale='1e-9 1e-9 1e-9'")) +
+                              link("b", with("flat.obj'")) + joint("ab", "a", "b") + "</robot>",
+                          folder + "a.urdf", meshes, faults));
+  const auto list = faults.take();
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].line, 2);
+  EXPECT_EQ(list[0].key, "link[a].collision[0].geometry.mesh.scale");
+  EXPECT_EQ(list[1].line, 3);
+  EXPECT_EQ(list[1].key, "link[b].collision[0].geometry.mesh");
+  EXPECT_EQ(list[1].text, "\"" + folder + "flat.obj\" has no triangle with an area");
+}
+
 TEST(Urdf, PassesOverExtensions) {
   model_of("<material name='m'/><gazebo reference='a'><static>1</static></gazebo>\n" + link("a") +
            link("b") + joint("ab", "a", "b") + "<ros2_control name='x'/>");

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+
+#include "common/io/files.h"
 
 namespace accord {
 namespace {
@@ -21,6 +24,17 @@ TEST(InQuotes, CutsLongTextBetweenCharacters) {
   EXPECT_LT(quoted_text.size(), 70U);
   EXPECT_TRUE(quoted_text.ends_with("...\""));
   EXPECT_EQ(first_unprintable(quoted_text), std::string::npos);
+}
+
+TEST(InQuotes, LeavesPathsWhole) {
+  const std::string path = "/home/" + std::string(200, 'x') + "/rack.stl";
+  EXPECT_EQ(path_in_quotes(path), "\"" + path + "\"");
+}
+
+TEST(LineAt, CountsFromOne) {
+  EXPECT_EQ(line_at("a\nb\n", 0), 1);
+  EXPECT_EQ(line_at("a\nb\n", 1), 1);
+  EXPECT_EQ(line_at("a\nb\n", 2), 2);
 }
 
 TEST(NearestWord, FindsTypingErrorsOnly) {
