@@ -184,6 +184,16 @@ class ExitCodes(SystemTest):
         self.assertEqual("timeout", plan["status"])
         self.assertRegex(plan["message"], r'^the deadline passed .*"r\d+"')
 
+    def test_a_plan_whose_segments_leave_a_gap(self):
+        scene = self.scene()
+        plan = json.loads(self.plan(scene).read_text())
+        plan["robots"][1]["segments"][0]["from"] = 0.5
+        path = self.folder / "gap.json"
+        path.write_text(json.dumps(plan))
+        result = accord("verify", scene, path)
+        self.assert_exit(INFEASIBLE, result)
+        self.assertRegex(result.stdout, r'^refuted: "b", segment 0: it begins at t = 0\.500 s')
+
     def test_a_refuted_plan(self):
         scene = self.scene()
         plan = json.loads(self.plan(scene).read_text())
