@@ -19,7 +19,7 @@ void explain(const std::vector<Diagnostic>& faults) {
 }
 
 bool cannot_write(const std::string& path, const std::string& why) {
-  std::cerr << fmt::format("{}: cannot be written: {}\n", path, why);
+  std::cerr << fmt::format("{}: cannot be written{}{}\n", path, why.empty() ? "" : ": ", why);
   return false;
 }
 
@@ -48,6 +48,10 @@ std::optional<Plan> load_plan_or_explain(const std::string& path) {
 }
 
 bool write_file_or_explain(const std::string& path, std::string_view text) {
+  if (path == kStandardOutput) {
+    std::cout << text;
+    return true;
+  }
   // A reader sees the old file or the new one, and a full disk leaves the old one. Pipes and
   // devices cannot be replaced, so they are written to.
   std::error_code error;
@@ -61,6 +65,14 @@ bool write_file_or_explain(const std::string& path, std::string_view text) {
   if (!replace) return true;
   std::filesystem::rename(target, path, error);
   return error ? cannot_write(path, error.message()) : true;
+}
+
+bool flush_output_or_explain() {
+  errno = 0;
+  std::cout.flush();
+  if (std::cout) return true;
+  // Where an earlier write failed, what it said is gone.
+  return cannot_write("standard output", errno == 0 ? "" : std::generic_category().message(errno));
 }
 
 }  // namespace accord

@@ -6,6 +6,7 @@
 
 #include "client/commands.h"
 #include "client/files.h"
+#include "client/option_values.h"
 #include "client/render/picture.h"
 
 namespace accord {
@@ -18,6 +19,7 @@ struct RenderOptions {
 };
 
 ExitCode run(const RenderOptions& options) {
+  refuse_overwriting(options.output, {options.scene, options.plan});
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
   std::optional<Plan> plan;
@@ -37,7 +39,9 @@ void add_render_command(CLI::App& app, ExitCode& exit_code) {
       app.add_subcommand("render", "Draw a scene, and the paths of a plan, as an SVG picture");
   command->add_option("SCENE", options->scene, "Scene file (.yaml)")->required();
   command->add_option("PLAN", options->plan, "Plan file (.json)");
-  command->add_option("-o,--output", options->output, "Picture to write (.svg)")->required();
+  command->add_option("-o,--output", options->output, "Picture to write (.svg); -: print it")
+      ->required()
+      ->check(output_name());
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

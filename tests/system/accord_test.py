@@ -123,6 +123,17 @@ class PlanAndVerify(SystemTest):
                            .replace("start: [4, 0], goal: [-4, 0]", "start: [4, 0], goal: [4, 0]"))
         self.assert_exit(SOLVED, accord("verify", scene, self.plan(scene)))
 
+    def test_a_dash_is_standard_output(self):
+        scene = self.scene()
+        for options in (("-o", "-"), ("-o", "-", "--json"), ("-o", "-", "--quiet")):
+            with self.subTest(options):
+                result = accord("plan", scene, *options)
+                self.assert_exit(SOLVED, result)
+                self.assertEqual("solved", json.loads(result.stdout)["status"])
+        result = accord("render", scene, "-o", "-")
+        self.assert_exit(SOLVED, result)
+        self.assertTrue(result.stdout.startswith("<svg"))
+
     def test_info_says_what_is_in_a_scene(self):
         result = accord("info", SCENES / "adaptive-mobile.yaml")
         self.assert_exit(SOLVED, result)
@@ -139,6 +150,68 @@ class ExitCodes(SystemTest):
                 result = accord(*arguments)
                 self.assert_exit(USAGE, result)
                 self.assertTrue(result.stderr)
+
+    def test_values_that_options_do_not_take(self):
+        solver = "prioritized-query"
+        for option, value in (
+                ("--timeout", "nan"), ("--timeout", "inf"), ("--timeout", "-1"),
+                ("--seed", "-1"), ("--seed", "18446744073709551616"), ("--seed", "0x10"),
+                ("--seed", "1e3"), ("--seed", ""), ("--workers", "0x1"),
+                ("--solvers", f"{solver},"), ("--solvers", f"{solver},{solver}"),
+                ("--solvers", ""), ("--output", "")):
+            with self.subTest(f"{option}={value}"):
+                for arguments in ((option, value), (f"{option}={value}",)):
+                    result = accord("plan", self.scene(), *arguments)
+                    self.assert_exit(USAGE, result)
+                    self.assertIn(option, result.stderr)
+        self.assert_exit(USAGE, accord("render", self.scene(), "-o", ""))
+
+    def test_seeds_are_plain_decimal_numbers(self):
+        for text, seed in (("0", 0), ("010", 10), ("18446744073709551615", 2**64 - 1)):
+            with self.subTest(text):
+                result = accord("plan", self.scene(), "--json", "--seed", text)
+                self.assert_exit(SOLVED, result)
+                self.assertEqual(seed, json.loads(result.stdout)["seed"])
+
+    def test_a_list_of_solvers_is_one_word(self):
+        result = accord("plan", "--solvers", "prioritized-query,decoupled-prm", self.scene())
+        self.assert_exit(SOLVED, result)
+
+    def test_a_command_that_does_not_exist(self):
+        for arguments in (("bogus",), ("bogus", "x.yaml", "-o", "y"), ("bogus", "info", "x.yaml")):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(USAGE, result)
+                self.assertIn('there is no command "bogus"', result.stderr)
+                for command in ("plan", "verify", "info", "render"):
+                    self.assertIn(command, result.stderr)
+
+    def test_output_that_would_overwrite_what_is_read(self):
+        scene = self.scene()
+        plan = self.plan(scene)
+        link = self.folder / "link"
+        link.symlink_to(scene)
+        for arguments in (("plan", scene, "-o", scene), ("plan", scene, "-o", link),
+                          ("plan", link, "-o", scene), ("render", scene, "-o", scene),
+                          ("render", scene, plan, "-o", plan)):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(USAGE, result)
+                self.assertIn("the same file", result.stderr)
+        self.assertEqual(TWO_CARTS, scene.read_text())
+        self.assert_exit(SOLVED, accord("verify", scene, plan))
+
+    def test_standard_output_that_is_full(self):
+        scene = self.scene()
+        plan = self.plan(scene)
+        for arguments in (("plan", scene), ("plan", scene, "--json"), ("plan", scene, "-o", "-"),
+                          ("info", scene), ("verify", scene, plan), ("render", scene, "-o", "-"),
+                          ("plan", SCENES / "adaptive-mobile.yaml", "--json"), ("--help",)):
+            with self.subTest(arguments), open("/dev/full", "w", encoding="ascii") as full:
+                result = subprocess.run([ACCORD, *map(str, arguments)], stdout=full, text=True,
+                                        stderr=subprocess.PIPE, timeout=240, check=False)
+                self.assert_exit(BAD_INPUT, result)
+                self.assertIn("standard output: cannot be written", result.stderr)
 
     def test_help_is_no_failure(self):
         for arguments in (("--help",), ("plan", "--help"), ("--version",)):
