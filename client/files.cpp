@@ -8,6 +8,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "client/interrupt.h"
 #include "common/io/plan_file.h"
 #include "common/io/scene_file.h"
 
@@ -58,6 +59,8 @@ bool write_file_or_explain(const std::string& path, std::string_view text) {
   const auto status = std::filesystem::status(path, error);
   const bool replace = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
   const std::string target = replace ? path + ".unfinished" : path;
+  std::optional<HeldSignals> held;  // nor does a signal leave half of it lying about
+  if (replace) held.emplace();      // a pipe may wait for its reader for ever
   if (const std::optional<std::string> why = write(target, text)) {
     if (replace) std::filesystem::remove(target, error);
     return cannot_write(path, *why);

@@ -11,6 +11,7 @@
 #include "client/commands.h"
 #include "client/exit_code.h"
 #include "client/files.h"
+#include "client/interrupt.h"
 #include "common/io/words.h"
 
 namespace {
@@ -70,6 +71,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  accord::end_on_signals();
   try {
     const ExitCode exit_code = run(argc, argv);
     // Whatever a command found out is lost if what it printed is.

@@ -53,12 +53,13 @@ ExitCode exit_code_of(PlanStatus status) {
 Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const CommandOptions& options) {
   PlanOptions request = options.plan;
   if (options.timeout > 0) request.timeout = options.timeout;
-  ProgressLine line(scene->robots.size());
+  ProgressLine line(std::cerr, scene->robots.size());
   ProgressCallback report;
-  if (line.visible() && !options.quiet) {
+  if (!options.quiet && stderr_is_a_terminal()) {
     report = [&line](const Progress& progress) { line.show(progress); };
   }
-  return plan(scene, request, report, &interrupt_flag());
+  const CancelOnSignal on_signal;
+  return plan(scene, request, report, &on_signal.cancelled());
 }
 
 void log_to_stderr(spdlog::level::level_enum least) {
@@ -89,7 +90,13 @@ ExitCode run(const CommandOptions& options) {
   log_to_stderr(options.log);
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
-  return hand_out(scene, plan_with_progress(scene, options), options);
+  const Plan plan = plan_with_progress(scene, options);
+  // A signal during the last steps, the proof say, which do not look at the flag.
+  if (cancelled_by_signal() && exit_code_of(plan.status) != ExitCode::kTimeout) {
+    std::cerr << "cancelled: before the plan was written\n";
+    return ExitCode::kTimeout;
+  }
+  return hand_out(scene, plan, options);
 }
 
 void add_options(CLI::App& command, CommandOptions& options) {

@@ -5,10 +5,13 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -278,6 +281,110 @@ class ExitCodes(SystemTest):
         result = accord("verify", scene, path)
         self.assert_exit(INFEASIBLE, result)
         self.assertRegex(result.stdout, r'^refuted: "a" and "b" collide at t = 3\.\d+ s near \(')
+
+
+class Signals(SystemTest):
+    """SIGINT, SIGTERM and SIGHUP end any command with an exit code and a word, never silently."""
+
+    LARGE = SCENES / "fleet-1000.yaml"
+
+    def start(self, *arguments, sighup=signal.SIG_DFL):
+        program = subprocess.Popen([ACCORD, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, sighup))
+        self.addCleanup(program.communicate)
+        self.addCleanup(program.kill)
+        return program
+
+    def assert_cancelled(self, program):
+        stdout, stderr = program.communicate(timeout=60)
+        self.assertEqual(TIMEOUT, program.returncode, stderr)
+        self.assertRegex(stderr, "(?m)^cancelled: ")
+        return stdout
+
+    @staticmethod
+    def status(program):
+        return pathlib.Path(f"/proc/{program.pid}/status").read_text()
+
+    def handles(self, program, number):
+        """Whether the program has come far enough to handle the signal itself."""
+        caught = int(re.search(r"SigCgt:\s*([0-9a-f]+)", self.status(program))[1], 16)
+        return caught >> (number - 1) & 1
+
+    def wait_until(self, condition):
+        deadline = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.001)
+
+    def test_while_a_large_scene_is_planned(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(number.name):
+                program = self.start("plan", self.LARGE, "--json", "--log", "debug")
+                self.assertIn("conflict at", program.stderr.readline())
+                program.send_signal(number)
+                plan = json.loads(self.assert_cancelled(program))
+                self.assertEqual("cancelled", plan["status"])
+                self.assertEqual([], plan["robots"])
+
+    def test_before_the_scene_is_read(self):
+        for command in (("plan",), ("info",), ("render", "-o", self.folder / "picture.svg")):
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                with self.subTest(f"{command[0]} {number.name}"):
+                    program = self.start(*command, self.LARGE)
+                    self.wait_until(lambda: self.handles(program, number))
+                    program.send_signal(number)
+                    self.assert_cancelled(program)
+        self.assertEqual([], list(self.folder.iterdir()), "nothing is left behind")
+
+    def test_while_the_plan_waits_for_its_reader(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        program = self.start("plan", self.scene(), "-o", pipe)
+        # Reading and planning keep it busy; their threads are gone when it sleeps by itself.
+        self.wait_until(lambda: re.search(r"State:\s*S[^$]*Threads:\s*1\n", self.status(program)))
+        program.send_signal(signal.SIGTERM)
+        self.assert_cancelled(program)
+
+    def test_nohup_is_respected(self):
+        program = self.start("plan", self.LARGE, "--log", "debug", sighup=signal.SIG_IGN)
+        self.assertIn("conflict at", program.stderr.readline())
+        program.send_signal(signal.SIGHUP)
+        self.assertIn("conflict at", program.stderr.readline())
+        program.send_signal(signal.SIGTERM)
+        self.assert_cancelled(program)
+
+
+class Terminals(SystemTest):
+    """Progress is for people who watch a terminal, and only for them."""
+
+    def shown(self, *arguments):
+        """What the command writes to the terminal that is its standard error."""
+        ours, theirs = pty.openpty()
+        with subprocess.Popen([ACCORD, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=theirs) as program:
+            os.close(theirs)
+            shown = b""
+            try:
+                while part := os.read(ours, 4096):
+                    shown += part
+            except OSError:  # how Linux says that the other side is closed
+                pass
+            os.close(ours)
+        self.assertEqual(SOLVED, program.returncode)
+        return shown.decode()
+
+    def test_show_progress_and_then_an_empty_line(self):
+        shown = self.shown("plan", SCENES / "fleet-0250.yaml")
+        self.assertIn("paths of single robots", shown)
+        self.assertIn("conflicts: ", shown)
+        self.assertIn("proving the plan", shown)
+        self.assertNotIn("\n", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+
+    def test_show_nothing_where_quiet_is_asked_for(self):
+        self.assertEqual("", self.shown("plan", SCENES / "fleet-0250.yaml", "--quiet"))
+        self.assertEqual("", self.shown("plan", self.scene(), "--quiet"))
 
 
 class SamePlan(SystemTest):
