@@ -137,6 +137,17 @@ class PlanAndVerify(SystemTest):
         self.assert_exit(SOLVED, result)
         self.assertTrue(result.stdout.startswith("<svg"))
 
+    def test_a_plan_for_a_scene_of_another_name_is_worth_a_note(self):
+        plan = self.plan(self.scene())
+        other = self.scene(TWO_CARTS.replace("name: two-carts", "name: three-carts"), "other.yaml")
+        for arguments in (("verify", other, plan),
+                          ("render", other, plan, "-o", self.folder / "picture.svg")):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(SOLVED, result)
+                self.assertRegex(result.stderr, 'note: .*"two-carts".*"three-carts"')
+        self.assertEqual("", accord("verify", other, plan, "--quiet").stderr)
+
     def test_info_says_what_is_in_a_scene(self):
         result = accord("info", SCENES / "adaptive-mobile.yaml")
         self.assert_exit(SOLVED, result)
@@ -269,6 +280,15 @@ class ExitCodes(SystemTest):
         result = accord("verify", scene, path)
         self.assert_exit(INFEASIBLE, result)
         self.assertRegex(result.stdout, r'^refuted: "b", segment 0: it begins at t = 0\.500 s')
+
+    def test_a_picture_of_a_plan_for_other_robots(self):
+        plan = self.plan(self.scene())
+        other = self.scene(TWO_CARTS.replace("name: b", "name: c"), "other.yaml")
+        picture = self.folder / "picture.svg"
+        result = accord("render", other, plan, "-o", picture)
+        self.assert_exit(BAD_INPUT, result)
+        self.assertIn('no robot "c"', result.stderr)
+        self.assertFalse(picture.exists())
 
     def test_a_refuted_plan(self):
         scene = self.scene()
