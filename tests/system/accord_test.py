@@ -474,7 +474,8 @@ class Pictures(SystemTest):
         picture = self.folder / "picture.svg"
         self.assert_exit(SOLVED, accord("render", scene, "-o", picture))
         alone = self.elements(picture, "path")
-        self.assertEqual(4, len(self.elements(picture, "circle")), "two starts and two goals")
+        self.assertEqual(2 + 2 * 3, len(self.elements(picture, "circle")),
+                         "two starts and two goals, these with an area, an edge and an outline")
         self.assert_exit(SOLVED, accord("render", scene, self.plan(scene), "-o", picture))
         self.assertEqual(len(alone) + 2, len(self.elements(picture, "path")), "two ways")
 
