@@ -8,6 +8,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "client/interrupt.h"
 #include "common/io/plan_file.h"
 #include "common/io/scene_file.h"
 
@@ -19,7 +20,7 @@ void explain(const std::vector<Diagnostic>& faults) {
 }
 
 bool cannot_write(const std::string& path, const std::string& why) {
-  std::cerr << fmt::format("{}: cannot be written: {}\n", path, why);
+  std::cerr << fmt::format("{}: cannot be written{}{}\n", path, why.empty() ? "" : ": ", why);
   return false;
 }
 
@@ -48,12 +49,18 @@ std::optional<Plan> load_plan_or_explain(const std::string& path) {
 }
 
 bool write_file_or_explain(const std::string& path, std::string_view text) {
+  if (path == kStandardOutput) {
+    std::cout << text;
+    return true;
+  }
   // A reader sees the old file or the new one, and a full disk leaves the old one. Pipes and
   // devices cannot be replaced, so they are written to.
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   const bool replace = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
   const std::string target = replace ? path + ".unfinished" : path;
+  std::optional<HeldSignals> held;  // nor does a signal leave half of it lying about
+  if (replace) held.emplace();      // a pipe may wait for its reader for ever
   if (const std::optional<std::string> why = write(target, text)) {
     if (replace) std::filesystem::remove(target, error);
     return cannot_write(path, *why);
@@ -61,6 +68,14 @@ bool write_file_or_explain(const std::string& path, std::string_view text) {
   if (!replace) return true;
   std::filesystem::rename(target, path, error);
   return error ? cannot_write(path, error.message()) : true;
+}
+
+bool flush_output_or_explain() {
+  errno = 0;
+  std::cout.flush();
+  if (std::cout) return true;
+  // Where an earlier write failed, what it said is gone.
+  return cannot_write("standard output", errno == 0 ? "" : std::generic_category().message(errno));
 }
 
 }  // namespace accord

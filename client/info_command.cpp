@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "client/commands.h"
+#include "client/counted.h"
 #include "client/files.h"
 #include "client/table.h"
 #include "common/model/robot.h"
 
 namespace accord {
 namespace {
-
-std::string counted(std::size_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string kind_name(RobotKind kind) {
   switch (kind) {

@@ -3,11 +3,20 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "client/commands.h"
 #include "client/exit_code.h"
+#include "client/files.h"
+#include "client/interrupt.h"
+#include "common/io/words.h"
 
 namespace {
+
+using accord::ExitCode;
 
 constexpr const char* kFooter = R"(Exit codes:
   0  solved, proved, or done
@@ -17,8 +26,30 @@ constexpr const char* kFooter = R"(Exit codes:
   4  there is no plan, or the plan given is refuted
   5  time ran out, or the request was cancelled)";
 
-int run(int argc, char** argv) {
-  using accord::ExitCode;
+// What to say of a word in the place of a command that is none; CLI11 would only say that a command
+// is missing.
+std::optional<std::string> unknown_command(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  if (left.empty() || left.front().starts_with('-')) return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> commands(names.begin(), names.end());
+  return "there is no command " + accord::in_quotes(left.front()) + "; expected " +
+         accord::alternatives(commands);
+}
+
+ExitCode explain(const CLI::App& app, const CLI::ParseError& error) {
+  const bool asked_for_help = error.get_exit_code() == 0;
+  const std::optional<std::string> unknown = asked_for_help ? std::nullopt : unknown_command(app);
+  if (unknown) {
+    app.exit(CLI::ValidationError(*unknown));
+  } else {
+    app.exit(error);
+  }
+  return asked_for_help ? ExitCode::kSuccess : ExitCode::kUsage;
+}
+
+ExitCode run(int argc, char** argv) {
   CLI::App app("Plans collision-free motions for many robots at once, and proves them.", "accord");
   app.require_subcommand(1);
   app.footer(kFooter);
@@ -32,24 +63,26 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const bool asked_for_help = error.get_exit_code() == 0;
-    app.exit(error);
-    return static_cast<int>(asked_for_help ? ExitCode::kSuccess : ExitCode::kUsage);
+    return explain(app, error);
   }
-  return static_cast<int>(exit_code);
+  return exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  accord::end_on_signals();
   try {
-    return run(argc, argv);
+    const ExitCode exit_code = run(argc, argv);
+    // Whatever a command found out is lost if what it printed is.
+    const bool printed = accord::flush_output_or_explain();
+    return static_cast<int>(printed ? exit_code : ExitCode::kBadInput);
   } catch (const std::bad_alloc&) {
     std::cerr << "accord: out of memory\n";
-    return static_cast<int>(accord::ExitCode::kBug);
+    return static_cast<int>(ExitCode::kBug);
   } catch (const std::exception& error) {
     std::cerr << "accord: internal error: " << error.what()
               << "\nThis is a bug in accord. Please report it with the scene and the command.\n";
-    return static_cast<int>(accord::ExitCode::kBug);
+    return static_cast<int>(ExitCode::kBug);
   }
 }

@@ -1,5 +1,6 @@
 // accord plan: from a scene to a proven plan.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -8,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -16,6 +16,7 @@
 #include "client/engine/planner.h"
 #include "client/files.h"
 #include "client/interrupt.h"
+#include "client/option_values.h"
 #include "client/plan_text.h"
 #include "client/progress_line.h"
 #include "common/io/plan_file.h"
@@ -52,12 +53,13 @@ ExitCode exit_code_of(PlanStatus status) {
 Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const CommandOptions& options) {
   PlanOptions request = options.plan;
   if (options.timeout > 0) request.timeout = options.timeout;
-  ProgressLine line(scene->robots.size());
+  ProgressLine line(std::cerr, scene->robots.size());
   ProgressCallback report;
-  if (line.visible() && !options.quiet) {
+  if (!options.quiet && stderr_is_a_terminal()) {
     report = [&line](const Progress& progress) { line.show(progress); };
   }
-  return plan(scene, request, report, &interrupt_flag());
+  const CancelOnSignal on_signal;
+  return plan(scene, request, report, &on_signal.cancelled());
 }
 
 void log_to_stderr(spdlog::level::level_enum least) {
@@ -67,17 +69,14 @@ void log_to_stderr(spdlog::level::level_enum least) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-ExitCode run(const CommandOptions& options) {
-  log_to_stderr(options.log);
-  const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
-  if (!scene) return ExitCode::kBadInput;
-  const Plan plan = plan_with_progress(scene, options);
+ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
+                  const CommandOptions& options) {
   const std::string json = to_json(plan);
-  if (!options.output.empty() && !write_file_or_explain(options.output, json)) {
-    return ExitCode::kBadInput;
-  }
+  const bool print_plan = options.json || options.output == kStandardOutput;
+  const bool write_file = !options.output.empty() && options.output != kStandardOutput;
+  if (write_file && !write_file_or_explain(options.output, json)) return ExitCode::kBadInput;
   const bool solved = plan.status == PlanStatus::kSolved;
-  if (options.json) {
+  if (print_plan) {
     std::cout << json;
   } else if (solved && !options.quiet) {
     std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.workers));
@@ -86,16 +85,35 @@ ExitCode run(const CommandOptions& options) {
   return exit_code_of(plan.status);
 }
 
+ExitCode run(const CommandOptions& options) {
+  refuse_overwriting(options.output, {options.scene});
+  log_to_stderr(options.log);
+  const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
+  if (!scene) return ExitCode::kBadInput;
+  const Plan plan = plan_with_progress(scene, options);
+  // A signal during the last steps, the proof say, which do not look at the flag.
+  if (cancelled_by_signal() && exit_code_of(plan.status) != ExitCode::kTimeout) {
+    std::cerr << "cancelled: before the plan was written\n";
+    return ExitCode::kTimeout;
+  }
+  return hand_out(scene, plan, options);
+}
+
 void add_options(CLI::App& command, CommandOptions& options) {
   command.add_option("SCENE", options.scene, "Scene file (.yaml)")->required();
-  command.add_option("-o,--output", options.output, "Plan file to write (.json)");
+  command
+      .add_option("-o,--output", options.output,
+                  "Plan file to write (.json); -: print it, as --json does")
+      ->check(output_name());
   command.add_option("-s,--seed", options.plan.seed, "Decides all that is drawn at random")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->transform(plain_integer());
   command.add_option("-t,--timeout", options.timeout, "Give up after so many seconds")
-      ->check(CLI::Range(1e-3, 1e7));
+      ->check(seconds(1e-3, 1e7));
   command
       .add_option("-w,--workers", options.plan.workers,
                   "Threads; the plan is the same for any number (default: one for each core)")
+      ->transform(plain_integer())
       ->check(CLI::Range(1U, 1024U));
   command
       .add_option("-m,--method", options.plan.method,
@@ -103,10 +121,14 @@ void add_options(CLI::App& command, CommandOptions& options) {
       ->capture_default_str()
       ->check(CLI::IsMember(method_names()));
   command
-      .add_option("--solvers", options.plan.solvers,
-                  "Solvers for conflicts, tried in this order (default: all of them)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(solver_names()));
+      .add_option_function<std::string>(
+          "--solvers",
+          [&options](const std::string& list) {
+            options.plan.solvers = solvers_in(list, solver_names());
+          },
+          fmt::format("Solvers for conflicts, tried in this order (default: all of them): {}",
+                      fmt::join(solver_names(), ",")))
+      ->type_name("NAME,...");
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
   const std::map<std::string, spdlog::level::level_enum> levels{{"debug", spdlog::level::debug},

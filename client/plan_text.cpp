@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string_view>
 
+#include "client/counted.h"
 #include "client/table.h"
 #include "client/verdict_text.h"
 
@@ -29,10 +31,16 @@ std::string costs_text(const Plan& plan) {
   return out;
 }
 
+// One resolution can remove several conflicts, and a removed one can come back elsewhere: the
+// counts are of different things and need not agree.
 std::string conflicts_text(const Plan& plan) {
-  return fmt::format("{:.0f} found, {:.0f} resolved in {:.0f} rounds",
-                     statistic(plan, "conflicts_found"), statistic(plan, "conflicts_resolved"),
-                     statistic(plan, "rounds"));
+  const auto count = [&](std::string_view name) {
+    return static_cast<std::uint64_t>(statistic(plan, name));
+  };
+  if (count("conflicts_found") == 0) return "none";
+  return fmt::format("{} found, {} in {}", count("conflicts_found"),
+                     counted(count("conflicts_resolved"), "resolution"),
+                     counted(count("rounds"), "round"));
 }
 
 // "prioritized-query 31, decoupled-prm 2"; empty where there was nothing to solve.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <iostream>
+#include <ostream>
 #include <string>
+
+#include "client/counted.h"
 
 namespace accord {
 namespace {
@@ -16,8 +18,8 @@ std::string words(const Progress& progress, std::size_t robots) {
     case Progress::Phase::kInitialPaths:
       return fmt::format("paths of single robots: {} of {}", progress.robots_planned, robots);
     case Progress::Phase::kConflicts:
-      return fmt::format("conflicts: {} found, {} resolved, round {}", progress.conflicts_found,
-                         progress.conflicts_resolved, progress.rounds);
+      return fmt::format("conflicts: {} found, {}, round {}", progress.conflicts_found,
+                         counted(progress.conflicts_resolved, "resolution"), progress.rounds);
     case Progress::Phase::kProof:
       return "proving the plan";
   }
@@ -26,20 +28,22 @@ std::string words(const Progress& progress, std::size_t robots) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::size_t robots)
-    : visible_(isatty(STDERR_FILENO) != 0),
-      robots_(robots),
-      begin_(std::chrono::steady_clock::now()) {}
+bool stderr_is_a_terminal() {
+  return isatty(STDERR_FILENO) != 0;
+}
+
+ProgressLine::ProgressLine(std::ostream& terminal, std::size_t robots)
+    : terminal_(terminal), robots_(robots), begin_(std::chrono::steady_clock::now()) {}
 
 ProgressLine::~ProgressLine() {
-  if (visible_) std::cerr << kClearLine << std::flush;
+  if (shown_) terminal_ << kClearLine << std::flush;
 }
 
 void ProgressLine::show(const Progress& progress) {
-  if (!visible_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  std::cerr << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words(progress, robots_))
+  terminal_ << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words(progress, robots_))
             << std::flush;
+  shown_ = true;
 }
 
 }  // namespace accord

@@ -3,25 +3,28 @@
 
 #include <chrono>
 #include <cstddef>
+#include <iosfwd>
 
 #include "client/engine/planner.h"
 
 namespace accord {
 
+bool stderr_is_a_terminal();
+
 class ProgressLine {
  public:
-  // Shows nothing unless standard error is a terminal.
-  explicit ProgressLine(std::size_t robots);
-  ~ProgressLine();  // clears the line
+  // Requires: `terminal` understands ANSI's "erase to the end of the line", and outlives this.
+  ProgressLine(std::ostream& terminal, std::size_t robots);
+  ~ProgressLine();  // clears the line; writes nothing where nothing was shown
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  bool visible() const { return visible_; }
   void show(const Progress& progress);
 
  private:
-  bool visible_;
+  std::ostream& terminal_;
   std::size_t robots_;
+  bool shown_ = false;
   std::chrono::steady_clock::time_point begin_;
 };
 

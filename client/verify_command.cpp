@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "client/commands.h"
+#include "client/counted.h"
 #include "client/files.h"
+#include "client/plan_match.h"
 #include "client/table.h"
 #include "client/verdict_text.h"
 #include "common/planning/verifier.h"
@@ -27,6 +29,9 @@ ExitCode run(const VerifyOptions& options) {
   if (!scene) return ExitCode::kBadInput;
   const std::optional<Plan> plan = load_plan_or_explain(options.plan);
   if (!plan) return ExitCode::kBadInput;
+  if (const auto other = other_scene(*scene, *plan); other && !options.quiet) {
+    std::cerr << fmt::format("{}: note: {}\n", options.plan, *other);
+  }
 
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   const Verdict verdict =
@@ -37,8 +42,10 @@ ExitCode run(const VerifyOptions& options) {
   }
   if (options.quiet) return ExitCode::kSuccess;
   Table table;
-  table.add("proved",
-            fmt::format("{} robots are free of collisions at every instant", scene->robots.size()));
+  table.add("proved", fmt::format("{} free of collisions at every instant",
+                                  scene->robots.size() == 1
+                                      ? "1 robot is"
+                                      : counted(scene->robots.size(), "robot") + " are"));
   table.add("makespan", fmt::format("{:.2f} s", plan->makespan));
   add_separations(table, *scene, verdict);
   std::cout << table.str();

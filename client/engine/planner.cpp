@@ -34,16 +34,23 @@ ProgressCallback thinned(const ProgressCallback& progress) {
   };
 }
 
+// Each stretch lasts until the next begins, the first from 0: a robot that has arrived waits there
+// for whoever makes it move again. Stretches that no time is left for are left out.
 std::vector<PlanSegment> segments(const Scene& scene, const std::vector<CouplingSegment>& coupling,
                                   double arrival) {
   std::vector<PlanSegment> out;
+  double begin = 0;
   for (const CouplingSegment& segment : coupling) {
-    if (segment.from >= arrival && !out.empty()) break;
-    PlanSegment named{segment.from, std::min(segment.to, arrival), {}, segment.solver};
+    if (!out.empty()) {
+      if (segment.from >= arrival) break;
+      begin = std::max(begin, segment.from);
+      out.back().to = begin;
+      if (out.back().from == begin) out.pop_back();
+    }
+    PlanSegment named{begin, arrival, {}, segment.solver};
     for (const RobotId robot : segment.robots) named.robots.push_back(scene.robot(robot).name);
     out.push_back(std::move(named));
   }
-  if (!out.empty()) out.back().to = arrival;
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "client/render/camera.h"
 #include "client/render/drawn_robot.h"
+#include "client/render/labels.h"
 #include "client/render/outline.h"
 #include "client/render/palette.h"
 #include "client/render/svg.h"
@@ -21,9 +22,11 @@ constexpr double kPadding = 24;
 constexpr double kTitleHeight = 40;
 constexpr std::size_t kMaxNamed = 40;   // robots; with more, names would only clutter
 constexpr std::size_t kMaxGhosts = 24;  // robots whose poses along the way are shown
+constexpr std::size_t kMaxEdged = 50;   // robots whose goals are set off from what is below
 constexpr const char* kDarkName =
     "fill=\"#1f2430\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
-constexpr int kGhosts = 6;  // poses of each
+constexpr double kNameRoom = 0.76;  // of a disc, for its name between the outlines of goals
+constexpr int kGhosts = 6;          // poses of each
 
 class Picture {
  public:
@@ -77,8 +80,10 @@ class Picture {
     if (robots_.size() <= kMaxGhosts) {
       for (const DrawnRobot& drawn : robots_) draw_ghosts(camera, drawn);
     }
-    for (const DrawnRobot& drawn : robots_) draw_goal(camera, drawn);
+    for (const DrawnRobot& drawn : robots_) draw_goal_area(camera, drawn);
     for (const DrawnRobot& drawn : robots_) draw_start(camera, drawn);
+    // Where robots change places, every goal is below another one's start.
+    for (const DrawnRobot& drawn : robots_) draw_goal(camera, drawn);
     if (robots_.size() <= kMaxNamed) draw_names(camera);
     svg_.close();
     svg_.rectangle(camera.corner, camera.size(),
@@ -148,11 +153,19 @@ class Picture {
     }
   }
 
+  void draw_goal_area(const Camera& camera, const DrawnRobot& drawn) {
+    draw_robot(camera, drawn, drawn.robot.goal, "fill=\"#fff\" fill-opacity=\"0.55\"");
+  }
+
+  // With a white edge that sets it off from whatever is below it; crowds have no room for one.
   void draw_goal(const Camera& camera, const DrawnRobot& drawn) {
-    draw_robot(camera, drawn, drawn.robot.goal,
-               fmt::format("fill=\"#fff\" fill-opacity=\"0.55\" stroke=\"{}\" "
-                           "stroke-width=\"{}\"",
-                           drawn.colour, robots_.size() > 200 ? 0.7 : 1.6));
+    const bool crowded = robots_.size() > kMaxEdged;
+    const auto outlined = [&](std::string_view colour, double width) {
+      draw_robot(camera, drawn, drawn.robot.goal,
+                 fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", colour, width));
+    };
+    if (!crowded) outlined("#fff", 4.4);
+    outlined(drawn.colour, robots_.size() > 200 ? 0.7 : crowded ? 1.3 : 2);
   }
 
   void draw_start(const Camera& camera, const DrawnRobot& drawn) {
@@ -162,31 +175,30 @@ class Picture {
                            drawn.colour, robots_.size() > 200 ? 0.3 : 0.8));
   }
 
-  // Names inside discs and balls that are large enough for them, on carts, and below arms' bases.
+  // The last robots first: they are drawn on top of the others.
   void draw_names(const Camera& camera) {
     svg_.open("text-anchor=\"middle\" font-weight=\"600\"");
-    for (const DrawnRobot& drawn : robots_) {
-      const Robot& robot = drawn.robot;
-      const Vec2 centre = camera.pixels(projected(camera.view, standing_point(robot, robot.start)));
-      if (robot.model->kind == RobotKind::kArm) {
-        draw_name(centre + Vec2(0, 16), robot.name, 11, kDarkName);
-      } else if (robot.model->kind == RobotKind::kFootprint) {
-        draw_name(centre, robot.name, 11, kDarkName);
-      } else {
-        const double radius =
-            robot_outlines(robot, robot.start, camera.view, scene_.planar).front().radius;
-        const double room = 2 * radius * camera.scale * 0.86;
-        const double size = std::min(12.0, room / (0.62 * static_cast<double>(robot.name.size())));
-        if (size >= 6) draw_name(centre, robot.name, size, "fill=\"#fff\"");
-      }
+    Labels labels(svg_);
+    for (auto drawn = robots_.rbegin(); drawn != robots_.rend(); ++drawn) {
+      draw_name(camera, drawn->robot, labels);
     }
     svg_.close();
   }
 
-  void draw_name(const Vec2& centre, const std::string& name, double size,
-                 std::string_view attributes) {
-    svg_.text(centre + Vec2(0, size * 0.35), name,
-              fmt::format("font-size=\"{:.1f}\" {}", size, attributes));
+  // Inside discs and balls that are large enough for it, on carts, and below arms' bases.
+  void draw_name(const Camera& camera, const Robot& robot, Labels& labels) {
+    const Vec2 centre = camera.pixels(projected(camera.view, standing_point(robot, robot.start)));
+    if (robot.model->kind == RobotKind::kArm) {
+      labels.write(centre + Vec2(0, 16), robot.name, 11, kDarkName);
+    } else if (robot.model->kind == RobotKind::kFootprint) {
+      labels.write(centre, robot.name, 11, kDarkName);
+    } else {
+      const double radius =
+          robot_outlines(robot, robot.start, camera.view, scene_.planar).front().radius;
+      const double room = 2 * radius * camera.scale * kNameRoom;
+      const double size = std::min(12.0, Labels::size_for(robot.name, room));
+      if (size >= 6) labels.write(centre, robot.name, size, "fill=\"#fff\"");
+    }
   }
 
   const Scene& scene_;

@@ -7,6 +7,7 @@
 #include "common/planning/verifier_pairs.h"
 #include "common/planning/verifier_parallel.h"
 #include "common/planning/verifier_robot.h"
+#include "common/planning/verifier_segments.h"
 #include "common/planning/verifier_separation.h"
 #include "common/planning/verifier_slabs.h"
 #include "common/planning/verifier_subject.h"
@@ -48,6 +49,7 @@ Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsi
   if (pairs.violation && (!earliest || pairs.violation->time < earliest->time)) {
     earliest = std::move(pairs.violation);
   }
+  if (!earliest) earliest = check_segments(*scene, plan);
   if (!earliest) earliest = check_costs(*scene, plan);
   if (earliest) return refuted(*std::move(earliest));
   if (beyond == Beyond::kNothing) return {};

@@ -3,7 +3,7 @@
 //
 // In order: the plan's form; each robot by itself (start, limits, speeds, bounds, obstacles, its
 // own links, goal), segment by segment; every pair of robots from 0 to the end of time, a broad
-// phase in space and time first; the costs that the plan claims.
+// phase in space and time first; what the plan says of itself, its segments and its costs.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,8 @@ namespace accord {
 
 struct Violation {
   enum class Kind {
-    kForm,    // robots, waypoints or times are missing, unknown, out of order or not finite
+    kForm,    // robots, waypoints, times or segments are missing, unknown, out of order or not
+              // finite
     kStart,   // does not begin at the start
     kGoal,    // does not end at the goal (headings, continuous joints: up to 2 pi)
     kLimit,   // leaves a degree of freedom's bounds

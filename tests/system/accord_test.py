@@ -5,10 +5,13 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -123,6 +126,28 @@ class PlanAndVerify(SystemTest):
                            .replace("start: [4, 0], goal: [-4, 0]", "start: [4, 0], goal: [4, 0]"))
         self.assert_exit(SOLVED, accord("verify", scene, self.plan(scene)))
 
+    def test_a_dash_is_standard_output(self):
+        scene = self.scene()
+        for options in (("-o", "-"), ("-o", "-", "--json"), ("-o", "-", "--quiet")):
+            with self.subTest(options):
+                result = accord("plan", scene, *options)
+                self.assert_exit(SOLVED, result)
+                self.assertEqual("solved", json.loads(result.stdout)["status"])
+        result = accord("render", scene, "-o", "-")
+        self.assert_exit(SOLVED, result)
+        self.assertTrue(result.stdout.startswith("<svg"))
+
+    def test_a_plan_for_a_scene_of_another_name_is_worth_a_note(self):
+        plan = self.plan(self.scene())
+        other = self.scene(TWO_CARTS.replace("name: two-carts", "name: three-carts"), "other.yaml")
+        for arguments in (("verify", other, plan),
+                          ("render", other, plan, "-o", self.folder / "picture.svg")):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(SOLVED, result)
+                self.assertRegex(result.stderr, 'note: .*"two-carts".*"three-carts"')
+        self.assertEqual("", accord("verify", other, plan, "--quiet").stderr)
+
     def test_info_says_what_is_in_a_scene(self):
         result = accord("info", SCENES / "adaptive-mobile.yaml")
         self.assert_exit(SOLVED, result)
@@ -139,6 +164,68 @@ class ExitCodes(SystemTest):
                 result = accord(*arguments)
                 self.assert_exit(USAGE, result)
                 self.assertTrue(result.stderr)
+
+    def test_values_that_options_do_not_take(self):
+        solver = "prioritized-query"
+        for option, value in (
+                ("--timeout", "nan"), ("--timeout", "inf"), ("--timeout", "-1"),
+                ("--seed", "-1"), ("--seed", "18446744073709551616"), ("--seed", "0x10"),
+                ("--seed", "1e3"), ("--seed", ""), ("--workers", "0x1"),
+                ("--solvers", f"{solver},"), ("--solvers", f"{solver},{solver}"),
+                ("--solvers", ""), ("--output", "")):
+            with self.subTest(f"{option}={value}"):
+                for arguments in ((option, value), (f"{option}={value}",)):
+                    result = accord("plan", self.scene(), *arguments)
+                    self.assert_exit(USAGE, result)
+                    self.assertIn(option, result.stderr)
+        self.assert_exit(USAGE, accord("render", self.scene(), "-o", ""))
+
+    def test_seeds_are_plain_decimal_numbers(self):
+        for text, seed in (("0", 0), ("010", 10), ("18446744073709551615", 2**64 - 1)):
+            with self.subTest(text):
+                result = accord("plan", self.scene(), "--json", "--seed", text)
+                self.assert_exit(SOLVED, result)
+                self.assertEqual(seed, json.loads(result.stdout)["seed"])
+
+    def test_a_list_of_solvers_is_one_word(self):
+        result = accord("plan", "--solvers", "prioritized-query,decoupled-prm", self.scene())
+        self.assert_exit(SOLVED, result)
+
+    def test_a_command_that_does_not_exist(self):
+        for arguments in (("bogus",), ("bogus", "x.yaml", "-o", "y"), ("bogus", "info", "x.yaml")):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(USAGE, result)
+                self.assertIn('there is no command "bogus"', result.stderr)
+                for command in ("plan", "verify", "info", "render"):
+                    self.assertIn(command, result.stderr)
+
+    def test_output_that_would_overwrite_what_is_read(self):
+        scene = self.scene()
+        plan = self.plan(scene)
+        link = self.folder / "link"
+        link.symlink_to(scene)
+        for arguments in (("plan", scene, "-o", scene), ("plan", scene, "-o", link),
+                          ("plan", link, "-o", scene), ("render", scene, "-o", scene),
+                          ("render", scene, plan, "-o", plan)):
+            with self.subTest(arguments):
+                result = accord(*arguments)
+                self.assert_exit(USAGE, result)
+                self.assertIn("the same file", result.stderr)
+        self.assertEqual(TWO_CARTS, scene.read_text())
+        self.assert_exit(SOLVED, accord("verify", scene, plan))
+
+    def test_standard_output_that_is_full(self):
+        scene = self.scene()
+        plan = self.plan(scene)
+        for arguments in (("plan", scene), ("plan", scene, "--json"), ("plan", scene, "-o", "-"),
+                          ("info", scene), ("verify", scene, plan), ("render", scene, "-o", "-"),
+                          ("plan", SCENES / "adaptive-mobile.yaml", "--json"), ("--help",)):
+            with self.subTest(arguments), open("/dev/full", "w", encoding="ascii") as full:
+                result = subprocess.run([ACCORD, *map(str, arguments)], stdout=full, text=True,
+                                        stderr=subprocess.PIPE, timeout=240, check=False)
+                self.assert_exit(BAD_INPUT, result)
+                self.assertIn("standard output: cannot be written", result.stderr)
 
     def test_help_is_no_failure(self):
         for arguments in (("--help",), ("plan", "--help"), ("--version",)):
@@ -184,6 +271,25 @@ class ExitCodes(SystemTest):
         self.assertEqual("timeout", plan["status"])
         self.assertRegex(plan["message"], r'^the deadline passed .*"r\d+"')
 
+    def test_a_plan_whose_segments_leave_a_gap(self):
+        scene = self.scene()
+        plan = json.loads(self.plan(scene).read_text())
+        plan["robots"][1]["segments"][0]["from"] = 0.5
+        path = self.folder / "gap.json"
+        path.write_text(json.dumps(plan))
+        result = accord("verify", scene, path)
+        self.assert_exit(INFEASIBLE, result)
+        self.assertRegex(result.stdout, r'^refuted: "b", segment 0: it begins at t = 0\.500 s')
+
+    def test_a_picture_of_a_plan_for_other_robots(self):
+        plan = self.plan(self.scene())
+        other = self.scene(TWO_CARTS.replace("name: b", "name: c"), "other.yaml")
+        picture = self.folder / "picture.svg"
+        result = accord("render", other, plan, "-o", picture)
+        self.assert_exit(BAD_INPUT, result)
+        self.assertIn('no robot "c"', result.stderr)
+        self.assertFalse(picture.exists())
+
     def test_a_refuted_plan(self):
         scene = self.scene()
         plan = json.loads(self.plan(scene).read_text())
@@ -195,6 +301,110 @@ class ExitCodes(SystemTest):
         result = accord("verify", scene, path)
         self.assert_exit(INFEASIBLE, result)
         self.assertRegex(result.stdout, r'^refuted: "a" and "b" collide at t = 3\.\d+ s near \(')
+
+
+class Signals(SystemTest):
+    """SIGINT, SIGTERM and SIGHUP end any command with an exit code and a word, never silently."""
+
+    LARGE = SCENES / "fleet-1000.yaml"
+
+    def start(self, *arguments, sighup=signal.SIG_DFL):
+        program = subprocess.Popen([ACCORD, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, sighup))
+        self.addCleanup(program.communicate)
+        self.addCleanup(program.kill)
+        return program
+
+    def assert_cancelled(self, program):
+        stdout, stderr = program.communicate(timeout=60)
+        self.assertEqual(TIMEOUT, program.returncode, stderr)
+        self.assertRegex(stderr, "(?m)^cancelled: ")
+        return stdout
+
+    @staticmethod
+    def status(program):
+        return pathlib.Path(f"/proc/{program.pid}/status").read_text()
+
+    def handles(self, program, number):
+        """Whether the program has come far enough to handle the signal itself."""
+        caught = int(re.search(r"SigCgt:\s*([0-9a-f]+)", self.status(program))[1], 16)
+        return caught >> (number - 1) & 1
+
+    def wait_until(self, condition):
+        deadline = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.001)
+
+    def test_while_a_large_scene_is_planned(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(number.name):
+                program = self.start("plan", self.LARGE, "--json", "--log", "debug")
+                self.assertIn("conflict at", program.stderr.readline())
+                program.send_signal(number)
+                plan = json.loads(self.assert_cancelled(program))
+                self.assertEqual("cancelled", plan["status"])
+                self.assertEqual([], plan["robots"])
+
+    def test_before_the_scene_is_read(self):
+        for command in (("plan",), ("info",), ("render", "-o", self.folder / "picture.svg")):
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                with self.subTest(f"{command[0]} {number.name}"):
+                    program = self.start(*command, self.LARGE)
+                    self.wait_until(lambda: self.handles(program, number))
+                    program.send_signal(number)
+                    self.assert_cancelled(program)
+        self.assertEqual([], list(self.folder.iterdir()), "nothing is left behind")
+
+    def test_while_the_plan_waits_for_its_reader(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        program = self.start("plan", self.scene(), "-o", pipe)
+        # Reading and planning keep it busy; their threads are gone when it sleeps by itself.
+        self.wait_until(lambda: re.search(r"State:\s*S[^$]*Threads:\s*1\n", self.status(program)))
+        program.send_signal(signal.SIGTERM)
+        self.assert_cancelled(program)
+
+    def test_nohup_is_respected(self):
+        program = self.start("plan", self.LARGE, "--log", "debug", sighup=signal.SIG_IGN)
+        self.assertIn("conflict at", program.stderr.readline())
+        program.send_signal(signal.SIGHUP)
+        self.assertIn("conflict at", program.stderr.readline())
+        program.send_signal(signal.SIGTERM)
+        self.assert_cancelled(program)
+
+
+class Terminals(SystemTest):
+    """Progress is for people who watch a terminal, and only for them."""
+
+    def shown(self, *arguments):
+        """What the command writes to the terminal that is its standard error."""
+        ours, theirs = pty.openpty()
+        with subprocess.Popen([ACCORD, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=theirs) as program:
+            os.close(theirs)
+            shown = b""
+            try:
+                while part := os.read(ours, 4096):
+                    shown += part
+            except OSError:  # how Linux says that the other side is closed
+                pass
+            os.close(ours)
+        self.assertEqual(SOLVED, program.returncode)
+        return shown.decode()
+
+    def test_show_progress_and_then_an_empty_line(self):
+        shown = self.shown("plan", SCENES / "fleet-0250.yaml")
+        self.assertIn("paths of single robots", shown)
+        self.assertIn("conflicts: ", shown)
+        self.assertIn("proving the plan", shown)
+        self.assertNotIn("\n", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+
+    def test_show_nothing_where_quiet_is_asked_for(self):
+        self.assertEqual("", self.shown("plan", SCENES / "fleet-0250.yaml", "--quiet"))
+        self.assertEqual("", self.shown("plan", self.scene(), "--quiet"))
 
 
 class SamePlan(SystemTest):
@@ -264,7 +474,8 @@ class Pictures(SystemTest):
         picture = self.folder / "picture.svg"
         self.assert_exit(SOLVED, accord("render", scene, "-o", picture))
         alone = self.elements(picture, "path")
-        self.assertEqual(4, len(self.elements(picture, "circle")), "two starts and two goals")
+        self.assertEqual(2 + 2 * 3, len(self.elements(picture, "circle")),
+                         "two starts and two goals, these with an area, an edge and an outline")
         self.assert_exit(SOLVED, accord("render", scene, self.plan(scene), "-o", picture))
         self.assertEqual(len(alone) + 2, len(self.elements(picture, "path")), "two ways")
 

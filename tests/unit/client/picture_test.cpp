@@ -35,6 +35,31 @@ TEST(Picture, LeavesOutPathsThatDoNotFitTheScene) {
   EXPECT_THAT(draw(*scene, &plan), Not(HasSubstr("stroke-linejoin")));
 }
 
+// Where robots change places, starts once hid all goals.
+TEST(Picture, ShowsGoalsAboveTheStartsOfOthers) {
+  const auto scene = hall();
+  scene->robots[0].goal = scene->robots[1].start;
+  const std::string svg = draw(*scene, nullptr);
+  const std::string outlined = "<g fill=\"none\" stroke=\"#";
+  EXPECT_GT(svg.find(outlined), svg.rfind("fill-opacity=\"0.88\"")) << "outlines come last";
+}
+
+TEST(Picture, NamesOneOfRobotsThatAreInThePlaceOfOneAnother) {
+  auto scene = std::make_shared<Scene>();
+  auto ball = std::make_shared<RobotModel>();
+  ball->kind = RobotKind::kBall;
+  ball->dofs.resize(3);
+  ball->links = {"body"};
+  ball->bodies.push_back({"body", 0, Sphere{0.5}, Pose::Identity()});
+  scene->robots.push_back(robot("low", ball, {0, 0, 1}, {3, 2, 1}));
+  scene->robots.push_back(robot("high", ball, {0, 0, 3}, {3, 2, 3}));
+  const std::string svg = draw(*scene, nullptr);
+  const std::string above = svg.substr(0, svg.find("from above"));
+  EXPECT_THAT(above, HasSubstr(">high<"));
+  EXPECT_THAT(above, Not(HasSubstr(">low<")));
+  EXPECT_THAT(svg, HasSubstr(">low<")) << "from the side they are apart";
+}
+
 TEST(Picture, OfASpatialSceneHasTwoViews) {
   auto scene = std::make_shared<Scene>();
   scene->name = "a ball";
