@@ -34,20 +34,11 @@ ProgressCallback thinned(const ProgressCallback& progress) {
   };
 }
 
-// Each stretch lasts until the next begins, the first from 0: a robot that has arrived waits there
-// for whoever makes it move again. Stretches that no time is left for are left out.
-std::vector<PlanSegment> segments(const Scene& scene, const std::vector<CouplingSegment>& coupling,
-                                  double arrival) {
+std::vector<PlanSegment> segments(const Scene& scene,
+                                  const std::vector<CouplingSegment>& coupling) {
   std::vector<PlanSegment> out;
-  double begin = 0;
   for (const CouplingSegment& segment : coupling) {
-    if (!out.empty()) {
-      if (segment.from >= arrival) break;
-      begin = std::max(begin, segment.from);
-      out.back().to = begin;
-      if (out.back().from == begin) out.pop_back();
-    }
-    PlanSegment named{begin, arrival, {}, segment.solver};
+    PlanSegment named{segment.from, segment.to, {}, segment.solver};
     for (const RobotId robot : segment.robots) named.robots.push_back(scene.robot(robot).name);
     out.push_back(std::move(named));
   }
@@ -58,8 +49,8 @@ void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
   for (std::uint32_t id = 0; id < scene.robots.size(); ++id) {
     RobotPlan robot;
     robot.name = scene.robot({id}).name;
-    robot.trajectory = schedule.path({id}).tidied();
-    robot.segments = segments(scene, schedule.coupling({id}), robot.trajectory.end_time());
+    robot.trajectory = schedule.path({id});
+    robot.segments = segments(scene, schedule.coupling({id}));
     plan.robots.push_back(std::move(robot));
   }
   compute_costs(plan);

@@ -25,6 +25,9 @@ void close_gaps(double end, std::vector<CouplingSegment>& coupling) {
   coupling.front().from = 0;
   for (std::size_t i = 1; i < coupling.size(); ++i) coupling[i - 1].to = coupling[i].from;
   coupling.back().to = end;
+  if (coupling.size() > 1) {
+    std::erase_if(coupling, [](const CouplingSegment& s) { return s.from >= s.to; });
+  }
 }
 
 // Whether a local path's end is the task's goal, up to whole turns.

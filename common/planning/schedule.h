@@ -33,6 +33,7 @@ class Schedule {
   std::size_t size() const { return entries_.size(); }
   const Trajectory& path(RobotId robot) const { return entries_[robot.index()].path; }
   std::uint64_t version(RobotId robot) const { return entries_[robot.index()].version; }
+  // From 0 to the path's end, without gaps.
   const std::vector<CouplingSegment>& coupling(RobotId robot) const {
     return entries_[robot.index()].coupling;
   }
