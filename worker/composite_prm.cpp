@@ -16,7 +16,7 @@ namespace {
 constexpr LocalRoadmap::Node kStart = 0;
 constexpr LocalRoadmap::Node kGoal = 1;
 constexpr std::size_t kNeighbours = 12;
-constexpr std::size_t kTriesPerNode = 20;
+constexpr std::size_t kTriesPerNode = 160;
 // Where nothing is left to grow the search goes on to so many times the nodes, productive or not.
 constexpr std::size_t kWholeFactor = 50;
 
@@ -75,12 +75,10 @@ class CompositeRoadmap {
     return true;
   }
 
-  // A free composite configuration.
+  // A free joint configuration.
   bool sample(Configuration& q, const std::atomic<bool>& stop) {
-    const std::size_t most = kTriesPerNode * subproblem_.limits.composite_nodes;
-    for (std::size_t tries = 0; tries < most && !stop; ++tries) {
-      sampler_.sample(q);
-      if (team_.is_free(q)) return true;
+    for (std::size_t tries = 0; tries < kTriesPerNode && !stop; ++tries) {
+      if (sampler_.sample_free(team_, q)) return true;
     }
     return false;
   }

@@ -112,7 +112,7 @@ class RrtConnect {
     Configuration q(team_.dof());
     for (std::size_t turn = 0; motion_checks_ < budget_ && !stop; turn = 1 - turn) {
       ++samples_;
-      sampler_.sample(q);
+      if (!sampler_.sample_free(team_, q)) break;
       const std::size_t before = trees[turn].size();
       extend(trees[turn], trees[turn].nearest(team_, q), q);
       if (trees[turn].size() == before) continue;

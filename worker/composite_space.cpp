@@ -10,6 +10,8 @@ namespace {
 
 // Of each robot's part of a sample, so many in ten come from its own roadmap's places.
 constexpr std::size_t kFromRoadmapInTen = 4;
+constexpr std::size_t kTriesAtOnce = 50;
+constexpr std::size_t kTriesOneByOne = 64;  // for each robot
 
 }  // namespace
 
@@ -43,20 +45,40 @@ SearchRequest joint_request(const Subproblem& subproblem, LocalRoadmap::Node sta
           subproblem.limits.query_checks};
 }
 
-void JointSampler::sample(Configuration& q) {
-  std::size_t offset = 0;
-  for (std::size_t i = 0; i < subproblem_.tasks.size(); ++i) {
-    const Task& task = subproblem_.tasks[i];
-    const std::span<double> mine(q.data() + offset, task.start.size());
-    offset += task.start.size();
-    if (random_.below(10) < kFromRoadmapInTen) {
-      const auto node = static_cast<LocalRoadmap::Node>(random_.below(places_.of(i).size()));
-      std::ranges::copy(places_.of(i).configuration(node), mine.begin());
-    } else {
-      sample_region(task.region, next_, combine({subproblem_.seed, i, 0x73}), mine);
-    }
+void JointSampler::draw(std::size_t robot, std::span<double> q) {
+  LocalRoadmap& places = places_.of(robot);
+  if (random_.below(10) < kFromRoadmapInTen) {
+    const auto node = static_cast<LocalRoadmap::Node>(random_.below(places.size()));
+    std::ranges::copy(places.configuration(node), q.begin());
+  } else {
+    sample_region(subproblem_.tasks[robot].region, next_, combine({subproblem_.seed, robot, 0x73}),
+                  q);
   }
-  ++next_;
+}
+
+bool JointSampler::sample_free(const Team& team, Configuration& q) {
+  return draw_at_once(team, q) || draw_one_by_one(team, q);
+}
+
+bool JointSampler::draw_at_once(const Team& team, Configuration& q) {
+  for (std::size_t tries = 0; tries < kTriesAtOnce; ++tries) {
+    for (std::size_t i = 0; i < team.size(); ++i) draw(i, team.mutable_part(q, i));
+    ++next_;
+    if (team.is_free(q)) return true;
+  }
+  return false;
+}
+
+bool JointSampler::draw_one_by_one(const Team& team, Configuration& q) {
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    std::size_t tries = 0;
+    do {
+      if (tries++ == kTriesOneByOne) return false;
+      draw(i, team.mutable_part(q, i));
+      ++next_;
+    } while (!team.is_free_beside(q, i));
+  }
+  return true;
 }
 
 void set_joint_path(const Team& team, const Trajectory& path, Resolution& resolution) {

@@ -2,6 +2,7 @@
 // the tasks. What the composite solvers share.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/planning/random.h"
@@ -21,9 +22,9 @@ Configuration joint_goal(const Subproblem& subproblem);
 SearchRequest joint_request(const Subproblem& subproblem, LocalRoadmap::Node start,
                             LocalRoadmap::Node goal);
 
-// Joint configurations, free or not: of each robot's part some come from its own roadmap's places
-// (start, goal, guide), which hold still while others pass and lie in narrow passages; the rest
-// from its region. The same stream for the same subproblem. Not thread safe.
+// Joint configurations: of each robot's part some come from its own roadmap's
+// places (start, goal, guide), which hold still while others pass and lie in narrow passages; the
+// rest from its region. The same stream for the same subproblem. Not thread safe.
 class JointSampler {
  public:
   // Both must outlive this.
@@ -32,10 +33,16 @@ class JointSampler {
         places_(workspace, subproblem),
         random_(combine({subproblem.seed, 0x636f6d70})) {}
 
-  // Requires: q has as many numbers as the robots have together.
-  void sample(Configuration& q);
+  // Draws a configuration in which all robots are free and clear of each other: all parts at once
+  // or, in a crowd where that keeps failing, one after the other beside those before. False: it
+  // found none in a number of tries. Requires: team is the subproblem's.
+  bool sample_free(const Team& team, Configuration& q);
 
  private:
+  void draw(std::size_t robot, std::span<double> q);
+  bool draw_at_once(const Team& team, Configuration& q);
+  bool draw_one_by_one(const Team& team, Configuration& q);
+
   const Subproblem& subproblem_;
   DecoupledRoadmaps places_;
   RandomStream random_;

@@ -60,6 +60,14 @@ bool Team::is_free(ConfigurationView q) const {
   return true;
 }
 
+bool Team::is_free_beside(ConfigurationView q, std::size_t i) const {
+  if (!world_.is_free(members_[i], part(q, i))) return false;
+  for (std::size_t j = 0; j < i; ++j) {
+    if (!world_.are_clear(members_[i], part(q, i), members_[j], part(q, j))) return false;
+  }
+  return true;
+}
+
 bool Team::motion_is_free(ConfigurationView a, ConfigurationView b) const {
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t j = i + 1; j < size(); ++j) {

@@ -26,6 +26,9 @@ class Team {
   ConfigurationView part(ConfigurationView q, std::size_t i) const {
     return q.subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
   }
+  std::span<double> mutable_part(std::span<double> q, std::size_t i) const {
+    return q.subspan(offsets_[i], offsets_[i + 1] - offsets_[i]);
+  }
 
   // All members have to avoid this robot until `until` (s).
   void avoid(RobotId other, const Trajectory& path,
@@ -38,6 +41,8 @@ class Team {
 
   // Free of obstacles, of self-contact and of each other.
   bool is_free(ConfigurationView q) const;
+  // Whether member i is, of the members before it too.
+  bool is_free_beside(ConfigurationView q, std::size_t i) const;
   // Whether the members, each on its linear motion from a to b over the same time, are free of all
   // these at every instant. b's numbers are taken as written.
   bool motion_is_free(ConfigurationView a, ConfigurationView b) const;
