@@ -8,7 +8,7 @@ enum class ExitCode : int {
   kBug = 1,         // accord itself is wrong, or out of memory
   kUsage = 2,       // the command line makes no sense
   kBadInput = 3,    // a file cannot be read or written, or is wrong
-  kInfeasible = 4,  // there is no plan, or the plan given is refuted
+  kInfeasible = 4,  // no plan where the search goes no further, or the plan given is refuted
   kTimeout = 5,     // time ran out, or the request was cancelled
 };
 

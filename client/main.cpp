@@ -23,7 +23,7 @@ constexpr const char* kFooter = R"(Exit codes:
   1  a bug in accord, or not enough memory
   2  the command line makes no sense
   3  a file cannot be read or written, or is wrong
-  4  there is no plan, or the plan given is refuted
+  4  no plan was found by a search that went as far as it goes, or the plan given is refuted
   5  time ran out, or the request was cancelled)";
 
 // What to say of a word in the place of a command that is none; CLI11 would only say that a command

@@ -78,7 +78,14 @@ class CompositeRoadmap {
   // A free joint configuration.
   bool sample(Configuration& q, const std::atomic<bool>& stop) {
     for (std::size_t tries = 0; tries < kTriesPerNode && !stop; ++tries) {
-      if (sampler_.sample_free(team_, q)) return true;
+      // Where nothing is left to grow, every other one next to one that is known.
+      if (subproblem_.is_last() && (roadmap_.size() + tries) % 2 == 1) {
+        const auto node = static_cast<LocalRoadmap::Node>(sampler_.below(roadmap_.size()));
+        std::ranges::copy(roadmap_.configuration(node), q.begin());
+        if (sampler_.move_one(team_, q)) return true;
+      } else if (sampler_.sample_free(team_, q)) {
+        return true;
+      }
     }
     return false;
   }

@@ -81,6 +81,18 @@ bool JointSampler::draw_one_by_one(const Team& team, Configuration& q) {
   return true;
 }
 
+bool JointSampler::move_one(const Team& team, Configuration& q) {
+  for (std::size_t tries = 0; tries < kTriesOneByOne; ++tries, ++next_) {
+    const std::size_t robot = random_.below(team.size());
+    const ConfigurationView stays = team.part(q, robot);
+    const Configuration before(stays.begin(), stays.end());
+    draw(robot, team.mutable_part(q, robot));
+    if (team.is_free(q)) return true;
+    std::ranges::copy(before, team.mutable_part(q, robot).begin());
+  }
+  return false;
+}
+
 void set_joint_path(const Team& team, const Trajectory& path, Resolution& resolution) {
   resolution.solved = true;
   resolution.end = path.end_time();

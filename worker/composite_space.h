@@ -33,10 +33,17 @@ class JointSampler {
         places_(workspace, subproblem),
         random_(combine({subproblem.seed, 0x636f6d70})) {}
 
+  // Uniform in [0, n), from the same stream. Requires: n > 0.
+  std::size_t below(std::size_t n) { return random_.below(n); }
+
   // Draws a configuration in which all robots are free and clear of each other: all parts at once
   // or, in a crowd where that keeps failing, one after the other beside those before. False: it
   // found none in a number of tries. Requires: team is the subproblem's.
   bool sample_free(const Team& team, Configuration& q);
+
+  // Draws one robot's part anew, the others staying where they are in q: how robots that have no
+  // room to move at the same time get by each other. False: it found none in a number of tries.
+  bool move_one(const Team& team, Configuration& q);
 
  private:
   void draw(std::size_t robot, std::span<double> q);
