@@ -38,20 +38,44 @@ struct Open {
   }
 };
 
+// Among the moving bodies that a team avoids.
+class AmongBodies final : public TimedMotions {
+ public:
+  AmongBodies(Team& team, const LocalRoadmap& roadmap)
+      : team_(team), roadmap_(roadmap), target_(team.dof()) {}
+
+  void safe_intervals(Node node, std::vector<Interval>& out) override {
+    team_.safe_intervals(roadmap_.configuration(node), out);
+  }
+  std::optional<double> earliest_departure(Node from, const LocalRoadmap::Edge& edge, double lo,
+                                           double hi) override {
+    const ConfigurationView q = roadmap_.configuration(from);
+    team_.nearest_representation(q, roadmap_.configuration(edge.to), target_);
+    return team_.earliest_departure(q, target_, edge.duration, lo, hi);
+  }
+  std::uint64_t checks() const override { return team_.checks(); }
+
+ private:
+  Team& team_;
+  const LocalRoadmap& roadmap_;
+  Configuration target_;  // scratch
+};
+
 class Search {
  public:
-  Search(Team& team, LocalRoadmap& roadmap, const SearchRequest& request,
-         const std::atomic<bool>& stop)
+  Search(const Team& team, LocalRoadmap& roadmap, TimedMotions& motions,
+         const SearchRequest& request, const std::atomic<bool>& stop)
       : team_(team),
         roadmap_(roadmap),
+        motions_(motions),
         request_(request),
         stop_(stop),
-        checks_end_(team.checks() + request.checks),
+        checks_end_(motions.checks() + request.checks),
         first_(roadmap.size(), kNone),
         count_(roadmap.size(), 0),
         to_goal_(team, roadmap, request.goal, request.start) {}
 
-  std::optional<Trajectory> run(std::uint64_t& expanded) {
+  std::optional<TimedPath> run(std::uint64_t& expanded) {
     if (!find_goal_times()) return std::nullopt;
     open_start();
     for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty() && !is_spent();) {
@@ -108,13 +132,13 @@ class Search {
 
   void load_states(Node node) {
     if (first_[node] != kNone) return;
-    team_.safe_intervals(roadmap_.configuration(node), intervals_);
+    motions_.safe_intervals(node, intervals_);
     first_[node] = static_cast<std::uint32_t>(states_.size());
     count_[node] = static_cast<std::uint32_t>(intervals_.size());
     for (const Interval& interval : intervals_) states_.push_back({node, interval});
   }
 
-  bool is_spent() const { return stop_ || team_.checks() > checks_end_; }
+  bool is_spent() const { return stop_ || motions_.checks() > checks_end_; }
 
   void expand(std::uint32_t id) {
     for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
@@ -131,11 +155,7 @@ class Search {
     const double hi = std::min(from.interval.hi, there.hi - edge.duration);
     if (lo > hi || lo + edge.duration >= states_[to_id].arrival) return;
     if (!roadmap_.is_free(team_, from.node, edge)) return;
-    target_.resize(team_.dof());
-    team_.nearest_representation(roadmap_.configuration(from.node), roadmap_.configuration(edge.to),
-                                 target_);
-    const auto departure =
-        team_.earliest_departure(roadmap_.configuration(from.node), target_, edge.duration, lo, hi);
+    const auto departure = motions_.earliest_departure(from.node, edge, lo, hi);
     if (!departure) return;
     const double arrival = *departure + edge.duration;
     State& to = states_[to_id];
@@ -146,7 +166,7 @@ class Search {
     open(to_id);
   }
 
-  Trajectory trace(std::uint32_t id) const {
+  TimedPath trace(std::uint32_t id) const {
     std::vector<std::uint32_t> states;
     for (std::uint32_t s = id; s != kNone; s = states_[s].parent) states.push_back(s);
     std::ranges::reverse(states);
@@ -155,20 +175,26 @@ class Search {
     const ConfigurationView start = roadmap_.configuration(request_.start);
     std::copy(start.begin(), start.end(), q.begin());
     path.append(request_.from, q);
+    std::vector<Node> nodes{request_.start};
     for (std::size_t i = 1; i < states.size(); ++i) {
       const State& state = states_[states[i]];
       // A wait of less than an instant is rounding.
-      if (state.departure > path.end_time() + kSameInstant) path.append(state.departure, q);
+      if (state.departure > path.end_time() + kSameInstant) {
+        path.append(state.departure, q);
+        nodes.push_back(nodes.back());
+      }
       // Whole turns add up along the path: each waypoint is written nearest to the one before.
       team_.nearest_representation(path.configuration(path.size() - 1),
                                    roadmap_.configuration(state.node), q);
       append_apart(state.arrival, q, path);
+      nodes.push_back(state.node);
     }
-    return path;
+    return {std::move(path), std::move(nodes)};
   }
 
-  Team& team_;
+  const Team& team_;
   LocalRoadmap& roadmap_;
+  TimedMotions& motions_;
   const SearchRequest& request_;
   const std::atomic<bool>& stop_;
   std::uint64_t checks_end_;
@@ -179,16 +205,24 @@ class Search {
   std::vector<State> states_;
   std::priority_queue<Open> open_;
   std::vector<Interval> intervals_;  // scratch
-  Configuration target_;             // scratch
 };
 
 }  // namespace
+
+std::optional<TimedPath> search_in_time(const Team& team, LocalRoadmap& roadmap,
+                                        TimedMotions& motions, const SearchRequest& request,
+                                        const std::atomic<bool>& stop, std::uint64_t& expanded) {
+  return Search(team, roadmap, motions, request, stop).run(expanded);
+}
 
 std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
                                                const SearchRequest& request,
                                                const std::atomic<bool>& stop,
                                                std::uint64_t& expanded) {
-  return Search(team, roadmap, request, stop).run(expanded);
+  AmongBodies motions(team, roadmap);
+  auto found = search_in_time(team, roadmap, motions, request, stop, expanded);
+  if (!found) return std::nullopt;
+  return std::move(found->path);
 }
 
 }  // namespace accord

@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "common/model/trajectory.h"
 #include "worker/local_roadmap.h"
 #include "worker/team.h"
+#include "worker/timed_motions.h"
 
 namespace accord {
 
@@ -24,9 +26,20 @@ struct SearchRequest {
                            // times later than the earliest
 };
 
-// The team's path from `from` to the arrival, waits written out. nullopt: the roadmap holds no such
-// path, a budget ran out, or `stop` became true. Proves edges as it needs them. `expanded` is
-// increased by the states expanded.
+// A path, and the roadmap's node at each of its waypoints.
+struct TimedPath {
+  Trajectory path;
+  std::vector<LocalRoadmap::Node> nodes;
+};
+
+// The earliest path from `from` to the arrival as `motions` allow it, waits written out. nullopt:
+// the roadmap holds no such path, a budget ran out, or `stop` became true. Proves edges as it needs
+// them. `expanded` is increased by the states expanded.
+std::optional<TimedPath> search_in_time(const Team& team, LocalRoadmap& roadmap,
+                                        TimedMotions& motions, const SearchRequest& request,
+                                        const std::atomic<bool>& stop, std::uint64_t& expanded);
+
+// The same among the moving bodies that the team avoids.
 std::optional<Trajectory> safe_interval_search(Team& team, LocalRoadmap& roadmap,
                                                const SearchRequest& request,
                                                const std::atomic<bool>& stop,

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "worker/cbs_mp.h"
 #include "worker/composite_prm.h"
 #include "worker/composite_rrt_connect.h"
 #include "worker/decoupled_prm.h"
@@ -19,8 +20,8 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
 const std::vector<std::string>& local_solver_names() {
   static const std::vector<std::string> names{
       std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
-      std::string(DecoupledPrm::kName), std::string(CompositeRrtConnect::kName),
-      std::string(CompositePrm::kName)};
+      std::string(DecoupledPrm::kName),  std::string(CompositeRrtConnect::kName),
+      std::string(CompositePrm::kName),  std::string(CbsMp::kName)};
   return names;
 }
 
@@ -35,6 +36,7 @@ std::unique_ptr<Solver> make_solver(std::string_view name) {
   if (name == LockstepQuery::kName) return std::make_unique<LockstepQuery>();
   if (name == PrioritizedQuery::kName) return std::make_unique<PrioritizedQuery>();
   if (name == DecoupledPrm::kName) return std::make_unique<DecoupledPrm>();
+  if (name == CbsMp::kName) return std::make_unique<CbsMp>();
   if (name == CompositeRrtConnect::kName) return std::make_unique<CompositeRrtConnect>();
   if (name == CompositePrm::kName) return std::make_unique<CompositePrm>();
   return nullptr;

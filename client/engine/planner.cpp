@@ -88,7 +88,7 @@ std::vector<std::string> hierarchy(const PlanOptions& options) {
 
 const std::vector<std::string>& method_names() {
   static const std::vector<std::string> names{"arc", "decoupled-prm", "composite-prm",
-                                              "composite-rrt-connect"};
+                                              "composite-rrt-connect", "cbs-mp"};
   return names;
 }
 
