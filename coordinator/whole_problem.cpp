@@ -32,7 +32,7 @@ Outcome WholeProblem::run() {
   if (progress_) {
     progress_({Progress::Phase::kConflicts, schedule_.size(), statistics_.conflicts_found, 0, 0});
   }
-  const Outcome outcome = solve(*board.conflicts().begin(), stopped(planning_.scene(), board));
+  Outcome outcome = solve(*board.conflicts().begin(), stopped(planning_.scene(), board));
   statistics_.conflict_time = watch.seconds();
   return outcome;
 }

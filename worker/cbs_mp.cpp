@@ -66,7 +66,7 @@ class ConstraintTree {
   ChoicePtr solve() {
     if (!open_root()) return nullptr;
     while (!open_.empty() && !stop_) {
-      const ChoicePtr choice = open_.top();
+      ChoicePtr choice = open_.top();
       open_.pop();
       if (choice->clashes.empty()) return choice;
       const Clash clash = *std::ranges::min_element(choice->clashes, {}, &Clash::time);
