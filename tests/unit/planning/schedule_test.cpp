@@ -149,9 +149,11 @@ TEST_F(ScheduleTest, RefusesPathsThatDoNotFitTheWindow) {
   Resolution short_of_goal = detour();
   short_of_goal.paths[1] = path({{3, {7, 0}}, {7, {4, 0}}});
   EXPECT_FALSE(schedule_.commit(window(), short_of_goal));
+#ifdef NDEBUG  // with assertions such a path cannot be made
   Resolution standing = detour();
   standing.paths[1] = path({{3, {7, 0}}, {3, {7, 0}}, {7, {3, 0}}});
   EXPECT_FALSE(schedule_.commit(window(), standing));
+#endif
   Resolution missing = detour();
   missing.paths.pop_back();
   EXPECT_FALSE(schedule_.commit(window(), missing));
