@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kNodesPerDof = 400;
 constexpr std::size_t kGrowth = 4;
 constexpr std::size_t kMostNodes = 400'000;  // of any level: some hundred megabytes
+// The level that the roadmap for traffic has at most: the one after takes seconds to lay, and is
+// for doors that a robot hardly fits through.
+constexpr std::size_t kDensestForTraffic = 3;
 // Nodes around a place where another robot may stand, and the air (m) between them and it.
 constexpr int kCorners = 12;
 constexpr double kAir = 5e-3;
@@ -36,7 +39,7 @@ std::size_t dense_samples(const CollisionWorld& world, RobotId id) {
     bodies *= (whole.upper[k] - whole.lower[k]) / (body.max[axis] - body.min[axis]);
   }
   std::size_t level = 0;
-  while (level + 1 < RobotRoadmap::kLevels &&
+  while (level < kDensestForTraffic &&
          static_cast<double>(samples_of_level(*robot.model, level)) < bodies) {
     ++level;
   }
