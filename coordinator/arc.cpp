@@ -8,8 +8,6 @@
 #include <spdlog/spdlog.h>
 
 #include "common/planning/conflict.h"
-#include "coordinator/initial_paths.h"
-#include "coordinator/stopwatch.h"
 
 namespace accord {
 namespace {
@@ -20,29 +18,11 @@ constexpr std::uint64_t kCommitsPerRobot = 400;
 
 }  // namespace
 
-Arc::Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
-         Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress)
-    : planning_(planning),
-      detection_(detection),
-      workforce_(workforce),
-      stop_(stop),
-      progress_(std::move(progress)),
-      factory_(planning, seed),
-      schedule_(std::make_shared<const Scene>(planning.scene())),
-      adaptation_(factory_, schedule_) {}
-
-Outcome Arc::run() {
-  if (auto failed = plan_initial_paths(scene(), workforce_, stop_, progress_, factory_, schedule_,
-                                       statistics_)) {
-    return *failed;
-  }
-  const Stopwatch watch;
-  ConflictBoard board(detection_, schedule_);
-  statistics_.conflicts_found = board.conflicts().size();
+Outcome Arc::resolve(ConflictBoard& board) {
   const std::uint64_t most_commits = kCommitsPerRobot * (schedule_.size() + 10);
   while (!board.empty()) {
     if (stop_) return stopped(scene(), board);
-    report(Progress::Phase::kConflicts);
+    report(Progress::Phase::kConflicts, schedule_.size());
     std::vector<Job> jobs = choose(board);
     ++statistics_.rounds;
     solve(jobs);
@@ -65,10 +45,8 @@ Outcome Arc::run() {
       return given_up(scene(), board, statistics_.conflicts_resolved);
     }
   }
-  statistics_.pair_checks = board.pair_checks();
   statistics_.windows_grown = adaptation_.windows_grown();
   statistics_.robots_taken_in = adaptation_.robots_taken_in();
-  statistics_.conflict_time = watch.seconds();
   return {PlanStatus::kSolved, ""};
 }
 
@@ -200,12 +178,6 @@ void Arc::log(const Job& job) const {
       job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
       job.subproblem.outsiders.size(), robots, outcome, effort.searches, effort.expansions,
       effort.samples);
-}
-
-void Arc::report(Progress::Phase phase) {
-  if (!progress_) return;
-  progress_({phase, schedule_.size(), statistics_.conflicts_found, statistics_.conflicts_resolved,
-             statistics_.rounds});
 }
 
 }  // namespace accord

@@ -13,30 +13,22 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
+#include <utility>
 #include <vector>
 
-#include "common/geometry/collision_world.h"
-#include "common/planning/schedule.h"
 #include "coordinator/adaptation.h"
 #include "coordinator/conflict_board.h"
 #include "coordinator/method.h"
-#include "coordinator/progress.h"
-#include "coordinator/subproblem_factory.h"
-#include "coordinator/workforce.h"
 
 namespace accord {
 
 class Arc final : public Method {
  public:
-  // Two worlds of the same scene: conflicts are looked for with a smaller margin than planning
-  // keeps, so that what planning avoids is not found to be a conflict again for rounding.
+  // As Method's.
   Arc(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
-      Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress);
-
-  Outcome run() override;
-  const Schedule& schedule() const override { return schedule_; }
-  const PlanningStatistics& statistics() const override { return statistics_; }
+      Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress)
+      : Method(planning, detection, seed, workforce, stop, std::move(progress)),
+        adaptation_(factory_, schedule_) {}
 
  private:
   struct Job {
@@ -46,6 +38,7 @@ class Arc final : public Method {
     std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
   };
 
+  Outcome resolve(ConflictBoard& board) override;
   void commit(const Job& job, ConflictBoard& board);
   static bool is_left(const Job& job);
   std::vector<Job> choose(const ConflictBoard& board) const;
@@ -55,18 +48,8 @@ class Arc final : public Method {
   void record(const Job& job);
   // One line a subproblem, for who wants to see why planning takes as long as it does.
   void log(const Job& job) const;
-  void report(Progress::Phase phase);
-  const Scene& scene() const { return planning_.scene(); }
 
-  const CollisionWorld& planning_;
-  const CollisionWorld& detection_;
-  Workforce& workforce_;
-  const std::atomic<bool>& stop_;
-  ProgressCallback progress_;
-  SubproblemFactory factory_;
-  Schedule schedule_;
   Adaptation adaptation_;
-  PlanningStatistics statistics_;
 };
 
 }  // namespace accord

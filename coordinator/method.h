@@ -2,13 +2,20 @@
 // Not thread safe; runs once.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "common/geometry/collision_world.h"
 #include "common/planning/schedule.h"
 #include "common/planning/subproblem.h"
+#include "coordinator/conflict_board.h"
 #include "coordinator/outcome.h"
+#include "coordinator/progress.h"
+#include "coordinator/subproblem_factory.h"
+#include "coordinator/workforce.h"
 
 namespace accord {
 
@@ -28,15 +35,40 @@ struct PlanningStatistics {
   double lower_bound = 0;    // s: sum of the robots' own paths' durations
 };
 
+// Each robot's own path first, as if it were alone (Alg. 1, lines 2 to 5); how the conflicts
+// between these are resolved is what methods differ in.
 class Method {
  public:
+  // Two worlds of the same scene: conflicts are looked for with a smaller margin than planning
+  // keeps, so that what planning avoids is not found to be a conflict again for rounding.
+  Method(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
+         Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress);
   virtual ~Method() = default;
 
   // Throws std::logic_error when the workforce breaks its contract.
-  virtual Outcome run() = 0;
+  Outcome run();
   // The paths, once run() has solved it.
-  virtual const Schedule& schedule() const = 0;
-  virtual const PlanningStatistics& statistics() const = 0;
+  const Schedule& schedule() const { return schedule_; }
+  const PlanningStatistics& statistics() const { return statistics_; }
+
+ protected:
+  const Scene& scene() const { return planning_.scene(); }
+  void report(Progress::Phase phase, std::size_t robots_planned) const;
+
+  const CollisionWorld& planning_;
+  Workforce& workforce_;
+  const std::atomic<bool>& stop_;
+  SubproblemFactory factory_;
+  Schedule schedule_;
+  PlanningStatistics statistics_;
+
+ private:
+  // Makes the schedule free of the conflicts on the board. Requires: there are some.
+  virtual Outcome resolve(ConflictBoard& board) = 0;
+  std::optional<Outcome> plan_initial_paths();
+
+  const CollisionWorld& detection_;
+  ProgressCallback progress_;
 };
 
 }  // namespace accord

@@ -57,7 +57,12 @@ void SubproblemFactory::use_roadmap(RobotId robot, int level) {
 }
 
 bool SubproblemFactory::uses_roadmap(RobotId robot) const {
-  return roadmap_levels_.contains(world_.scene().robot(robot).model.get());
+  return roadmap_level(robot) >= 0;
+}
+
+int SubproblemFactory::roadmap_level(RobotId robot) const {
+  const auto found = roadmap_levels_.find(world_.scene().robot(robot).model.get());
+  return found == roadmap_levels_.end() ? -1 : found->second;
 }
 
 bool SubproblemFactory::is_mobile(RobotId robot) const {
@@ -127,10 +132,8 @@ Subproblem SubproblemFactory::create_whole(const Schedule& schedule) const {
   out.limits = SolverLimits::unlimited();
   for (std::uint32_t id = 0; id < schedule.size(); ++id) {
     const Trajectory& path = schedule.path({id});
-    const Robot& robot = world_.scene().robot({id});
     Trajectory tail(path.dof());
     tail.append(path.end_time(), path.configuration(path.size() - 1));
-    const auto level = roadmap_levels_.find(robot.model.get());
     out.tasks.push_back({{id},
                          schedule.version({id}),
                          path.at(0),
@@ -139,7 +142,7 @@ Subproblem SubproblemFactory::create_whole(const Schedule& schedule) const {
                          whole_region(world_.scene(), {id}),
                          path,
                          std::move(tail),
-                         level == roadmap_levels_.end() ? 0 : level->second});
+                         std::max(roadmap_level({id}), 0)});
     out.to = std::max(out.to, path.end_time());
   }
   return out;
@@ -247,8 +250,7 @@ Task SubproblemFactory::make_task(RobotId robot, const Growth& growth, const Sch
   }
   task.region = window.whole || growth.to_the_end ? whole_region(world_.scene(), robot)
                                                   : region(robot, task.guide, growth.window);
-  const auto level = roadmap_levels_.find(world_.scene().robot(robot).model.get());
-  if (level != roadmap_levels_.end()) task.roadmap_level = level->second;
+  task.roadmap_level = roadmap_level(robot);
   return task;
 }
 

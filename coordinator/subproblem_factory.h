@@ -66,6 +66,7 @@ class SubproblemFactory {
   double own_time(RobotId robot) const;
 
  private:
+  int roadmap_level(RobotId robot) const;  // -1: it uses none
   void set_window(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
                   const std::vector<RobotId>& robots, Subproblem& out) const;
   void cut(const Conflict& conflict, const Growth& growth, const Schedule& schedule,
