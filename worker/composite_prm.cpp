@@ -17,8 +17,6 @@ constexpr LocalRoadmap::Node kStart = 0;
 constexpr LocalRoadmap::Node kGoal = 1;
 constexpr std::size_t kNeighbours = 12;
 constexpr std::size_t kTriesPerNode = 160;
-// Where nothing is left to grow the search goes on to so many times the nodes, productive or not.
-constexpr std::size_t kWholeFactor = 50;
 
 class CompositeRoadmap {
  public:
@@ -50,8 +48,7 @@ class CompositeRoadmap {
   }
 
   void grow(Resolution& resolution, const std::atomic<bool>& stop) {
-    const std::size_t limit =
-        subproblem_.limits.composite_nodes * (subproblem_.is_last() ? kWholeFactor : 1);
+    const std::size_t limit = subproblem_.composite_nodes();
     std::size_t search_at = 0;
     Configuration q(team_.dof());
     while (!stop) {
@@ -59,6 +56,7 @@ class CompositeRoadmap {
         if (search(resolution, stop)) return;
         search_at = roadmap_.size() + roadmap_.size() / 4 + 8;
       }
+      // Where nothing is left to grow the search goes on, productive or not.
       if (roadmap_.size() >= limit || (!subproblem_.is_last() && evolution_.has_settled())) return;
       if (!sample(q, stop)) return;
       insert(q);

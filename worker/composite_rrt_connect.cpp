@@ -20,8 +20,6 @@ constexpr double kStep = 0.15;
 constexpr std::size_t kMostWays = 6;
 // Motions that a tree may try, for each node that a composite roadmap may have: a tree is sparser.
 constexpr std::size_t kTriesPerNode = 4;
-// Where nothing is left to grow.
-constexpr std::size_t kLastFactor = 50;
 
 // A tree of joint configurations; the root is the first.
 class Tree {
@@ -79,8 +77,7 @@ class RrtConnect {
     Resolution resolution;
     const Configuration start = joint_start(subproblem_), goal = joint_goal(subproblem_);
     if (!team_.is_free(start) || !team_.is_free(goal)) return resolution;
-    budget_ = kTriesPerNode * subproblem_.limits.composite_nodes *
-              (subproblem_.is_last() ? kLastFactor : 1);
+    budget_ = kTriesPerNode * subproblem_.composite_nodes();
     const std::size_t ways = subproblem_.outsiders.empty() ? 1 : kMostWays;
     for (std::size_t way = 0; way < ways && !resolution.solved && !stop; ++way) {
       const std::vector<Configuration> places = connect(start, goal, stop);
@@ -116,7 +113,8 @@ class RrtConnect {
       const std::size_t before = trees[turn].size();
       extend(trees[turn], trees[turn].nearest(team_, q), q);
       if (trees[turn].size() == before) continue;
-      const Configuration tip = trees[turn].branch(trees[turn].size() - 1).front();
+      const ConfigurationView newest = trees[turn].at(before);
+      const Configuration tip(newest.begin(), newest.end());
       Tree& other = trees[1 - turn];
       std::size_t node = other.nearest(team_, tip);
       while (motion_checks_ < budget_) {

@@ -1,5 +1,7 @@
 #include "worker/decoupled_prm.h"
 
+#include <algorithm>
+
 #include "worker/decoupled_roadmaps.h"
 #include "worker/prioritized_search.h"
 
@@ -18,7 +20,8 @@ Resolution DecoupledPrm::do_solve(const Workspace& workspace, const Subproblem& 
   Effort effort;
   // Batches grow: most conflicts need a handful of places to step aside to.
   const bool is_small = subproblem.tasks.size() <= kSmallTeam;
-  std::size_t batch = is_small ? (kFirstSamples + 5) / 6 : kFirstSamples;
+  std::size_t batch = std::min(kFirstSamples, subproblem.limits.decoupled_samples);
+  if (is_small) batch = (batch + 5) / 6;
   for (std::size_t added = 0; added < subproblem.limits.decoupled_samples && !stop;) {
     roadmaps.add_samples(batch);
     added += batch;

@@ -47,13 +47,15 @@ struct SolverLimits {
   std::size_t priority_orders = 6;            // orders tried by prioritized planning; 1: in task
                                               // order alone
   std::size_t decoupled_samples = 96;         // free samples a robot adds at most
-  std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most
+  std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most; more where
+                                              // nothing is left to grow: Subproblem says
   std::size_t composite_window_per_dof = 12;  // W of the adaptive termination, per dof
+  std::size_t last_factor = 50;               // times the nodes where nothing is left to grow
 
   // For baselines, which go on until they are stopped, in task order.
   static SolverLimits unlimited() {
     constexpr std::size_t kMost = 1'000'000'000;
-    return {kMost, kMost, 1, kMost, kMost, 12};
+    return {kMost, kMost, 1, kMost, kMost, 12, 1};
   }
 };
 
@@ -76,6 +78,10 @@ struct Subproblem {
 
   // Nothing is left to grow: the last solver goes on to its own limit.
   bool is_last() const { return whole && outsiders.empty(); }
+  // Of one composite roadmap, at most.
+  std::size_t composite_nodes() const {
+    return limits.composite_nodes * (is_last() ? limits.last_factor : 1);
+  }
   // Many robots that look a short time ahead.
   bool is_crowd() const { return clear_until < std::numeric_limits<double>::infinity(); }
 };
