@@ -126,8 +126,8 @@ void add_options(CLI::App& command, CommandOptions& options) {
           [&options](const std::string& list) {
             options.plan.solvers = solvers_in(list, solver_names());
           },
-          fmt::format("Solvers for conflicts, tried in this order (default: all of them): {}",
-                      fmt::join(solver_names(), ",")))
+          fmt::format("ARC's solvers for conflicts, tried in this order, of {} (default: {})",
+                      fmt::join(solver_names(), ","), fmt::join(default_solvers(), ",")))
       ->type_name("NAME,...");
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");

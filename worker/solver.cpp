@@ -20,8 +20,8 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
 const std::vector<std::string>& local_solver_names() {
   static const std::vector<std::string> names{
       std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
-      std::string(DecoupledPrm::kName),  std::string(CompositeRrtConnect::kName),
-      std::string(CompositePrm::kName),  std::string(CbsMp::kName)};
+      std::string(DecoupledPrm::kName), std::string(CompositeRrtConnect::kName),
+      std::string(CompositePrm::kName)};
   return names;
 }
 

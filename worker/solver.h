@@ -33,7 +33,8 @@ class Solver {
                               const std::atomic<bool>& stop) const = 0;
 };
 
-// The names that make_solver() knows, least coupling first.
+// Those that a hierarchy may name, least coupling first. (make_solver() also knows "cbs-mp", which
+// solves whole problems only.)
 const std::vector<std::string>& local_solver_names();
 // Those of the hierarchy unless told otherwise: "lockstep-query" for crowds too large for the
 // levels, and the paper's levels, "prioritized-query", "decoupled-prm" and "composite-prm".

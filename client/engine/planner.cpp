@@ -87,13 +87,17 @@ std::vector<std::string> hierarchy(const PlanOptions& options) {
 }  // namespace
 
 const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> names{"arc", "decoupled-prm", "composite-prm",
+  static const std::vector<std::string> names{std::string(kArc), "decoupled-prm", "composite-prm",
                                               "composite-rrt-connect", "cbs-mp"};
   return names;
 }
 
 const std::vector<std::string>& solver_names() {
   return local_solver_names();
+}
+
+const std::vector<std::string>& default_solvers() {
+  return default_solver_names();
 }
 
 Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,

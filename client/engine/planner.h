@@ -29,8 +29,9 @@ struct PlanOptions {
 // "composite-prm", "composite-rrt-connect", "cbs-mp".
 const std::vector<std::string>& method_names();
 
-// Names of the solvers that PlanOptions::solvers may hold, in the default order.
+// Names of the solvers that PlanOptions::solvers may hold, and of those it stands for when empty.
 const std::vector<std::string>& solver_names();
+const std::vector<std::string>& default_solvers();
 
 // `progress` is called from the thread that called plan(), at most every 50 ms and at each change
 // of phase.

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "common/geometry/tolerances.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/coordinator/scripted_workforce.h"
 
@@ -15,16 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using testing::ScriptedWorkforce;
 
-class ArcTest : public ::testing::Test {
+class ArcTest : public testing::MethodTest<Arc> {
  protected:
-  Outcome run(const testing::SceneBuilder& builder) {
-    const auto scene = builder.build();
-    planning_.emplace(scene, kPlanningMargin);
-    detection_.emplace(scene, 0.5 * kPlanningMargin);
-    arc_.emplace(*planning_, *detection_, 1, workforce_, stop_, nullptr);
-    return arc_->run();
-  }
-
   // `pairs` of discs, far from each other; the two of a pair cross at right angles.
   static testing::SceneBuilder crossings(int pairs) {
     testing::SceneBuilder builder(-100, -100, 2000, 100);
@@ -34,11 +25,6 @@ class ArcTest : public ::testing::Test {
     }
     return builder;
   }
-
-  ScriptedWorkforce workforce_;
-  std::atomic<bool> stop_{false};
-  std::optional<CollisionWorld> planning_, detection_;
-  std::optional<Arc> arc_;
 };
 
 TEST_F(ArcTest, AsksForNoTeamWhereTheRobotsOwnPathsNeverMeet) {
@@ -46,17 +32,17 @@ TEST_F(ArcTest, AsksForNoTeamWhereTheRobotsOwnPathsNeverMeet) {
       testing::SceneBuilder(-9, -9, 9, 9).disk(0.5, {-5, 0}, {5, 0}).disk(0.5, {-5, 3}, {5, 3}));
   EXPECT_EQ(outcome.status, PlanStatus::kSolved);
   EXPECT_TRUE(workforce_.rounds.empty());
-  EXPECT_EQ(arc_->statistics().conflicts_found, 0u);
-  EXPECT_DOUBLE_EQ(arc_->statistics().lower_bound, 20);
+  EXPECT_EQ(method_->statistics().conflicts_found, 0u);
+  EXPECT_DOUBLE_EQ(method_->statistics().lower_bound, 20);
 }
 
 TEST_F(ArcTest, CommitsWhatATeamIsGivenAndLooksForConflictsAgain) {
   workforce_.team = [](const Subproblem& s) { return ScriptedWorkforce::solved(s, 2); };
   const Outcome outcome = run(crossings(1));
   EXPECT_EQ(outcome.status, PlanStatus::kSolved) << outcome.message;
-  EXPECT_DOUBLE_EQ(arc_->schedule().path({0}).end_time(), 12);
-  EXPECT_EQ(arc_->statistics().conflicts_resolved, 1u);
-  EXPECT_EQ(arc_->statistics().solved_by, (std::map<std::string, std::uint64_t>{{"script", 1}}));
+  EXPECT_DOUBLE_EQ(method_->schedule().path({0}).end_time(), 12);
+  EXPECT_EQ(method_->statistics().conflicts_resolved, 1u);
+  EXPECT_EQ(method_->statistics().solved_by, (std::map<std::string, std::uint64_t>{{"script", 1}}));
 }
 
 TEST_F(ArcTest, HasConflictsThatShareNoRobotsSolvedInOneRound) {
@@ -78,8 +64,8 @@ TEST_F(ArcTest, NamesTheRobotsOfAConflictThatNobodyCanResolve) {
   const Outcome outcome = run(crossings(2));
   EXPECT_EQ(outcome.status, PlanStatus::kInfeasible);
   EXPECT_THAT(outcome.message, HasSubstr("robots \"r0\" and \"r1\" at "));
-  EXPECT_GT(arc_->statistics().exhausted, 0u);
-  EXPECT_TRUE(arc_->statistics().solved_by.empty());
+  EXPECT_GT(method_->statistics().exhausted, 0u);
+  EXPECT_TRUE(method_->statistics().solved_by.empty());
 }
 
 TEST_F(ArcTest, GivesUpOnResolutionsThatResolveNothingAndSaysWhichConflictIsLeft) {

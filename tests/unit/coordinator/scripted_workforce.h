@@ -1,12 +1,19 @@
-// A workforce that does what a test tells it, so that methods can be tested without solvers.
+// A workforce that does what a test tells it, so that methods can be tested without solvers, and
+// what tests of methods share.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "common/geometry/collision_world.h"
+#include "common/geometry/tolerances.h"
+#include "coordinator/outcome.h"
 #include "coordinator/workforce.h"
 #include "tests/support/scenes.h"
 
@@ -61,6 +68,24 @@ class ScriptedWorkforce final : public Workforce {
     for (std::size_t i = 0; i < out.paths.size(); ++i) out.paths[i] = subproblem.tasks[i].guide;
     return out;
   }
+};
+
+// Runs a method of planning on scenes, with a scripted workforce.
+template <typename MethodType>
+class MethodTest : public ::testing::Test {
+ protected:
+  Outcome run(const SceneBuilder& builder) {
+    const auto scene = builder.build();
+    planning_.emplace(scene, kPlanningMargin);
+    detection_.emplace(scene, 0.5 * kPlanningMargin);
+    method_.emplace(*planning_, *detection_, 1, workforce_, stop_, nullptr);
+    return method_->run();
+  }
+
+  ScriptedWorkforce workforce_;
+  std::atomic<bool> stop_{false};
+  std::optional<CollisionWorld> planning_, detection_;
+  std::optional<MethodType> method_;
 };
 
 }  // namespace accord::testing

@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <optional>
 
-#include "common/geometry/tolerances.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/coordinator/scripted_workforce.h"
 
@@ -16,16 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using testing::ScriptedWorkforce;
 
-class WholeProblemTest : public ::testing::Test {
+class WholeProblemTest : public testing::MethodTest<WholeProblem> {
  protected:
-  Outcome run(const testing::SceneBuilder& builder) {
-    const auto scene = builder.build();
-    planning_.emplace(scene, kPlanningMargin);
-    detection_.emplace(scene, 0.5 * kPlanningMargin);
-    method_.emplace(*planning_, *detection_, 1, workforce_, stop_, nullptr);
-    return method_->run();
-  }
-
   // Three discs, of which two conflict.
   static testing::SceneBuilder three() {
     return testing::SceneBuilder(-9, -9, 9, 9)
@@ -33,11 +23,6 @@ class WholeProblemTest : public ::testing::Test {
         .disk(0.5, {0, -5}, {0, 5})
         .disk(0.5, {-5, 8}, {5, 8});
   }
-
-  ScriptedWorkforce workforce_;
-  std::atomic<bool> stop_{false};
-  std::optional<CollisionWorld> planning_, detection_;
-  std::optional<WholeProblem> method_;
 };
 
 TEST_F(WholeProblemTest, AsksNobodyWhereTheRobotsOwnPathsNeverMeet) {

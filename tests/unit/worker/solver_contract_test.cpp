@@ -8,6 +8,7 @@
 #include "common/geometry/tolerances.h"
 #include "common/planning/region.h"
 #include "tests/support/scenes.h"
+#include "worker/cbs_mp.h"
 
 namespace accord {
 namespace {
@@ -161,9 +162,15 @@ TEST_P(SolverContract, EndsUnsolvedWhenToldToStop) {
   EXPECT_FALSE(solve(stop).solved);
 }
 
+std::vector<std::string> all_solver_names() {
+  std::vector<std::string> names = local_solver_names();
+  names.emplace_back(CbsMp::kName);
+  return names;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, SolverContract,
-    ::testing::Combine(::testing::ValuesIn(local_solver_names()),
+    ::testing::Combine(::testing::ValuesIn(all_solver_names()),
                        ::testing::Values(crossing_discs, swapping_discs_and_a_passer_by,
                                          discs_in_a_corridor_with_a_pocket, swapping_carts,
                                          arms_that_change_sides, crowd, crowd_in_lockstep)));
