@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "client/commands.h"
@@ -68,6 +69,17 @@ ExitCode run(int argc, char** argv) {
   return exit_code;
 }
 
+ExitCode explain_internal(const std::exception& error) {
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) {
+    std::cerr << "accord: out of memory or threads\n";
+  } else {
+    std::cerr << "accord: internal error: " << error.what()
+              << "\nThis is a bug in accord. Please report it with the scene and the command.\n";
+  }
+  return ExitCode::kBug;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -81,8 +93,6 @@ int main(int argc, char** argv) {
     std::cerr << "accord: out of memory\n";
     return static_cast<int>(ExitCode::kBug);
   } catch (const std::exception& error) {
-    std::cerr << "accord: internal error: " << error.what()
-              << "\nThis is a bug in accord. Please report it with the scene and the command.\n";
-    return static_cast<int>(ExitCode::kBug);
+    return static_cast<int>(explain_internal(error));
   }
 }

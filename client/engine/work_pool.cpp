@@ -1,9 +1,16 @@
 #include "client/engine/work_pool.h"
 
+#include <system_error>
+#include <utility>
+
 namespace accord {
 
 WorkPool::WorkPool(unsigned threads) {
-  for (unsigned i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  try {
+    for (unsigned i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  } catch (const std::system_error&) {
+    // The system gives no more: those that there are do the work, and the caller.
+  }
 }
 
 WorkPool::~WorkPool() {
@@ -32,10 +39,17 @@ void WorkPool::run(std::size_t count, const std::function<void(std::size_t)>& jo
   take_jobs();
   std::unique_lock lock(mutex_);
   done_.wait(lock, [this] { return busy_ == 0; });
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void WorkPool::take_jobs() {
-  for (std::size_t i = next_++; i < count_; i = next_++) (*job_)(i);
+  try {
+    for (std::size_t i = next_++; i < count_; i = next_++) (*job_)(i);
+  } catch (...) {
+    next_ = count_;
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+  }
 }
 
 void WorkPool::serve() {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <new>
 #include <set>
 #include <thread>
 #include <vector>
@@ -27,6 +28,17 @@ TEST_P(WorkPoolOf, HasFinishedAllJobsWhenItReturns) {
     std::vector<int> done(5);  // plain: run() itself has to order what the jobs wrote before this
     pool.run(done.size(), [&](std::size_t i) { done[i] = round; });
     ASSERT_EQ(done, std::vector<int>(5, round));
+  }
+}
+
+TEST_P(WorkPoolOf, HandsTheFirstFailureToTheCallerAndGoesOnBeingOfUse) {
+  WorkPool pool(GetParam());
+  for (int round = 0; round < 200; ++round) {
+    const auto fail = [](std::size_t) { throw std::bad_alloc(); };
+    EXPECT_THROW(pool.run(7, fail), std::bad_alloc);
+    std::atomic<int> times = 0;
+    pool.run(7, [&](std::size_t) { ++times; });
+    ASSERT_EQ(times, 7);
   }
 }
 
