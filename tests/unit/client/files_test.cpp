@@ -8,20 +8,19 @@
 #include <iostream>
 #include <iterator>
 
+#include "tests/support/scratch_folder.h"
+
 namespace accord {
 namespace {
 
-using testing::HasSubstr;
-using testing::internal::CaptureStderr;
-using testing::internal::CaptureStdout;
-using testing::internal::GetCapturedStderr;
-using testing::internal::GetCapturedStdout;
+using ::testing::HasSubstr;
+using ::testing::internal::CaptureStderr;
+using ::testing::internal::CaptureStdout;
+using ::testing::internal::GetCapturedStderr;
+using ::testing::internal::GetCapturedStdout;
 
-class Files : public testing::Test {
+class Files : public ::testing::Test {
  protected:
-  Files() { std::filesystem::create_directory(folder_); }
-  ~Files() override { std::filesystem::remove_all(folder_); }
-
   static std::string text_of(const std::filesystem::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -31,7 +30,8 @@ class Files : public testing::Test {
         std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "accord-files";
+  const testing::ScratchFolder scratch_;
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 TEST_F(Files, AreReplacedAsAWhole) {

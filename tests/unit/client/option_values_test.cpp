@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/scratch_folder.h"
+
 namespace accord {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 // What the validator says of a value; empty: it is fine.
 std::string said(const CLI::Validator& validator, std::string value) {
@@ -73,16 +75,12 @@ TEST(SolverList, NamesOnlyThoseThatExist) {
   EXPECT_THAT(why_not("prm,magic"), HasSubstr("no solver \"magic\"; expected query, prm or rrt"));
 }
 
-class Overwriting : public testing::Test {
+class Overwriting : public ::testing::Test {
  protected:
-  Overwriting() {
-    std::filesystem::create_directory(folder_);
-    std::ofstream(scene_) << "a scene";
-  }
-  ~Overwriting() override { std::filesystem::remove_all(folder_); }
+  Overwriting() { std::ofstream(scene_) << "a scene"; }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / "accord-overwriting";
+  const testing::ScratchFolder scratch_;
+  const std::filesystem::path& folder_ = scratch_.path();
   const std::string scene_ = folder_ / "scene.yaml";
 };
 

@@ -7,22 +7,19 @@
 #include <string>
 
 #include "common/io/scene_file.h"
+#include "tests/support/scratch_folder.h"
 
 namespace accord {
 namespace {
 
 constexpr std::string_view kMap = "type octile\nheight 2\nwidth 3\nmap\n@.G\nT.S\n";
 
-class MapFiles : public testing::Test {
+class MapFiles : public ::testing::Test {
  protected:
   MapFiles() {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
     write("m.map", kMap);
     write("m.pgm", "P2\n3 2\n255\n0 254 254\n205 254 100\n");
   }
-  ~MapFiles() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, std::string_view text) {
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -41,7 +38,8 @@ class MapFiles : public testing::Test {
     return result.scene;
   }
 
-  std::filesystem::path folder_;
+  const testing::ScratchFolder scratch_;
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 const Box& box(const Obstacle& obstacle) {
