@@ -36,6 +36,20 @@ std::vector<RobotId> entangled_with(const Subproblem& subproblem, const Conflict
   return robots;
 }
 
+// The team, and everyone in conflict with one of these before a time (s).
+std::set<RobotId> entangled_before(double horizon, std::set<RobotId> team,
+                                   const ConflictBoard& board) {
+  for (std::size_t before = 0; before != team.size();) {
+    before = team.size();
+    for (const Conflict& other : board.conflicts()) {
+      if (other.time > horizon) break;
+      if (team.contains(other.first)) team.insert(other.second);
+      if (team.contains(other.second)) team.insert(other.first);
+    }
+  }
+  return team;
+}
+
 }  // namespace
 
 Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& board) const {
@@ -89,23 +103,20 @@ const Adaptation::Trade* Adaptation::trade_of(const Conflict& conflict) const {
   return found == trades_.end() || conflict.time > found->second.until ? nullptr : &found->second;
 }
 
-// Everyone in conflict with one of the team before a crowd's horizon. A crowd that pushes its
-// conflicts ahead of itself looks further ahead each time.
+// A crowd that pushes its conflicts ahead of itself looks further ahead each time, but not so far
+// that it would be too large.
 Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
                             const ConflictBoard& board) const {
   growth.crowd = true;
-  if (const Trade* trade = trade_of(conflict)) growth.window += trade->count / kTradesToMerge;
-  std::set<RobotId>& team = growth.taken_in;
-  const double horizon = factory_.window(conflict, growth).horizon;
-  for (std::size_t before = 0; before != team.size();) {
-    before = team.size();
-    for (const Conflict& other : board.conflicts()) {
-      if (other.time > horizon) break;
-      if (team.contains(other.first)) team.insert(other.second);
-      if (team.contains(other.second)) team.insert(other.first);
-    }
+  const std::set<RobotId> team = growth.taken_in;
+  const Trade* trade = trade_of(conflict);
+  for (unsigned further = trade ? trade->count / kTradesToMerge : 0;; further /= 2) {
+    Growth grown = growth;
+    grown.window += further;
+    grown.taken_in =
+        entangled_before(factory_.window(conflict, grown).horizon, team, board);
+    if (further == 0 || grown.taken_in.size() <= kLargestCrowd) return grown;
   }
-  return growth;
 }
 
 void Adaptation::note_resolved(const Conflict& conflict, const Subproblem& subproblem) {
