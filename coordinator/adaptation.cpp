@@ -39,12 +39,12 @@ std::vector<RobotId> entangled_with(const Subproblem& subproblem, const Conflict
 // The team, and everyone in conflict with one of these before a time (s).
 std::set<RobotId> entangled_before(double horizon, std::set<RobotId> team,
                                    const ConflictBoard& board) {
-  for (std::size_t before = 0; before != team.size();) {
-    before = team.size();
-    for (const Conflict& other : board.conflicts()) {
-      if (other.time > horizon) break;
-      if (team.contains(other.first)) team.insert(other.second);
-      if (team.contains(other.second)) team.insert(other.first);
+  std::vector<RobotId> fresh(team.begin(), team.end());
+  while (!fresh.empty()) {
+    const RobotId robot = fresh.back();
+    fresh.pop_back();
+    for (const ConflictBoard::WithOther& own : board.conflicts_of(robot)) {
+      if (own.time <= horizon && team.insert(own.other).second) fresh.push_back(own.other);
     }
   }
   return team;
@@ -113,8 +113,7 @@ Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
   for (unsigned further = trade ? trade->count / kTradesToMerge : 0;; further /= 2) {
     Growth grown = growth;
     grown.window += further;
-    grown.taken_in =
-        entangled_before(factory_.window(conflict, grown).horizon, team, board);
+    grown.taken_in = entangled_before(factory_.window(conflict, grown).horizon, team, board);
     if (further == 0 || grown.taken_in.size() <= kLargestCrowd) return grown;
   }
 }

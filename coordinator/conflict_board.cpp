@@ -1,6 +1,7 @@
 #include "coordinator/conflict_board.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace accord {
@@ -18,16 +19,37 @@ double slab_length(const Scene& scene, const Schedule& schedule) {
   return std::max(end / kSlabsPerRun, scene.timestep);
 }
 
-// Twice the mean extent of what a robot sweeps in a slab.
-double cell_size(const CollisionWorld& world, const Schedule& schedule, double slab) {
+// Where the robots start and end; they hardly ever go far beyond.
+Aabb area_of(const CollisionWorld& world, const Schedule& schedule) {
+  Aabb area{Vec3::Zero(), Vec3::Zero()};
+  for (std::uint32_t r = 0; r < schedule.size(); ++r) {
+    const Trajectory& path = schedule.path({r});
+    const Aabb box =
+        world.swept_bounds({r}, path.configuration(0), path.configuration(path.size() - 1));
+    if (r == 0) area = box;
+    area.merge(box);
+  }
+  return area;
+}
+
+// Twice the mean extent of what a robot sweeps in a slab, but no more cells than robots.
+double cell_size(const CollisionWorld& world, const Schedule& schedule, double slab,
+                 const Aabb& area) {
   double sum = 0;
   for (std::uint32_t r = 0; r < schedule.size(); ++r) {
     const Trajectory& path = schedule.path({r});
     const Aabb box = world.swept_bounds({r}, path.configuration(0), path.at(slab));
     sum += (box.max - box.min).head<2>().maxCoeff();
   }
-  const double mean = sum / static_cast<double>(std::max<std::size_t>(schedule.size(), 1));
-  return std::max(2 * mean, 1e-3);
+  const auto robots = static_cast<double>(std::max<std::size_t>(schedule.size(), 1));
+  const double share = std::sqrt((area.max - area.min).head<2>().prod() / robots);
+  return std::max({2 * sum / robots, share, 1e-3});
+}
+
+SpaceTimeGrid empty_grid(const CollisionWorld& world, const Schedule& schedule) {
+  const double slab = slab_length(world.scene(), schedule);
+  const Aabb area = area_of(world, schedule);
+  return {world, slab, area, cell_size(world, schedule, slab, area)};
 }
 
 }  // namespace
@@ -35,56 +57,69 @@ double cell_size(const CollisionWorld& world, const Schedule& schedule, double s
 ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedule)
     : world_(world),
       schedule_(schedule),
-      grid_(world, slab_length(world.scene(), schedule),
-            cell_size(world, schedule, slab_length(world.scene(), schedule))) {
+      grid_(empty_grid(world, schedule)),
+      by_robot_(schedule.size()),
+      is_done_(schedule.size(), 0) {
   std::vector<RobotId> all;
   for (std::uint32_t r = 0; r < schedule.size(); ++r) all.push_back({r});
   update(all, 0);
 }
 
 void ConflictBoard::update(const std::vector<RobotId>& changed, double from) {
-  forget(changed, from);
-  for (const RobotId robot : changed) grid_.place(robot, schedule_.path(robot), from);
-  flags_.assign(schedule_.size(), 0);
+  for (const RobotId robot : changed) {
+    forget(robot, from);
+    grid_.place(robot, schedule_.path(robot), from);
+  }
   for (const RobotId robot : changed) {
     scan(robot, from);
-    flags_[robot.index()] = 1;
+    is_done_[robot.index()] = 1;  // pairs with it are scanned from its side
   }
+  for (const RobotId robot : changed) is_done_[robot.index()] = 0;
 }
 
-void ConflictBoard::forget(const std::vector<RobotId>& changed, double from) {
-  flags_.assign(schedule_.size(), 0);
-  for (const RobotId robot : changed) flags_[robot.index()] = 1;
-  for (auto i = by_time_.lower_bound({{0}, {0}, from}); i != by_time_.end();) {
-    if (flags_[i->first.index()] || flags_[i->second.index()]) {
-      times_.erase({i->first, i->second});
-      i = by_time_.erase(i);
-    } else {
-      ++i;
-    }
-  }
+void ConflictBoard::forget(RobotId robot, double from) {
+  std::erase_if(by_robot_[robot.index()], [&](const WithOther& own) {
+    if (own.time < from) return false;
+    by_time_.erase({std::min(robot, own.other), std::max(robot, own.other), own.time});
+    std::erase_if(by_robot_[own.other.index()],
+                  [&](const WithOther& back) { return back.other == robot; });
+    return true;
+  });
 }
 
 void ConflictBoard::scan(RobotId robot, double from) {
+  // Of a pair the earliest conflict counts: those that have one are done.
+  std::vector<RobotId> done;
+  const auto set_done = [&](RobotId other) {
+    if (is_done_[other.index()]) return;
+    is_done_[other.index()] = 1;
+    done.push_back(other);
+  };
+  for (const WithOther& own : by_robot_[robot.index()]) set_done(own.other);
   std::vector<RobotId> neighbours;
-  const std::size_t first = grid_.slab_of(from);
-  for (std::size_t slab = first; slab < grid_.slabs(); ++slab) {
+  for (std::size_t slab = grid_.slab_of(from); slab < grid_.slabs(); ++slab) {
     grid_.neighbours(robot, slab, neighbours);
     const double begin = std::max(from, grid_.slab_start(slab));
     const bool last = slab + 1 == grid_.slabs();
     const double end = last ? std::numeric_limits<double>::infinity() : grid_.slab_start(slab + 1);
     for (const RobotId other : neighbours) {
-      if (flags_[other.index()]) continue;  // this pair was scanned from the other side
-      const Pair pair{std::min(robot, other), std::max(robot, other)};
-      if (times_.contains(pair)) continue;  // an earlier one stands
+      if (is_done_[other.index()]) continue;
       ++pair_checks_;
-      const auto time = earliest_contact(world_, pair.first, schedule_.path(pair.first),
-                                         pair.second, schedule_.path(pair.second), begin, end);
+      const RobotId first = std::min(robot, other), second = std::max(robot, other);
+      const auto time = earliest_contact(world_, first, schedule_.path(first), second,
+                                         schedule_.path(second), begin, end);
       if (!time) continue;
-      times_.emplace(pair, *time);
-      by_time_.insert({pair.first, pair.second, *time});
+      add({first, second, *time});
+      set_done(other);
     }
   }
+  for (const RobotId other : done) is_done_[other.index()] = 0;
+}
+
+void ConflictBoard::add(const Conflict& conflict) {
+  by_time_.insert(conflict);
+  by_robot_[conflict.first.index()].push_back({conflict.second, conflict.time});
+  by_robot_[conflict.second.index()].push_back({conflict.first, conflict.time});
 }
 
 }  // namespace accord

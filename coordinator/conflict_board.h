@@ -5,11 +5,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <set>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
@@ -38,22 +35,30 @@ class ConflictBoard {
   // All, by time, then by pair. Valid until the next update.
   const std::set<Conflict, Earlier>& conflicts() const { return by_time_; }
 
+  // Those of one robot, in no particular order. Valid until the next update.
+  struct WithOther {
+    RobotId other;
+    double time;  // s
+  };
+  const std::vector<WithOther>& conflicts_of(RobotId robot) const {
+    return by_robot_[robot.index()];
+  }
+
   const SpaceTimeGrid& grid() const { return grid_; }
   // Pieces of trajectory pairs looked at exactly so far.
   std::uint64_t pair_checks() const { return pair_checks_; }
 
  private:
-  using Pair = std::pair<RobotId, RobotId>;
-
-  void forget(const std::vector<RobotId>& changed, double from);
+  void forget(RobotId robot, double from);
   void scan(RobotId robot, double from);
+  void add(const Conflict& conflict);
 
   const CollisionWorld& world_;
   const Schedule& schedule_;
   SpaceTimeGrid grid_;
   std::set<Conflict, Earlier> by_time_;
-  std::map<Pair, double> times_;  // of the same
-  std::vector<char> flags_;       // scratch, by robot
+  std::vector<std::vector<WithOther>> by_robot_;  // the same
+  std::vector<char> is_done_;                     // scratch, by robot: needs no further look
   std::uint64_t pair_checks_ = 0;
 };
 

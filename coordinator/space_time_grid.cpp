@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/planning/random.h"
-
 namespace accord {
 namespace {
 
-std::int64_t cell_index(double x, double cell) {
-  return static_cast<std::int64_t>(std::floor(x / cell));
-}
+// Along each axis; beyond, cells are larger than asked for.
+constexpr double kMostCells = 256;
 
 // The box of everything that a path sweeps in [from, until].
 Aabb swept(const CollisionWorld& world, RobotId robot, const Trajectory& path, double from,
@@ -31,10 +28,25 @@ Aabb swept(const CollisionWorld& world, RobotId robot, const Trajectory& path, d
 
 }  // namespace
 
-SpaceTimeGrid::SpaceTimeGrid(const CollisionWorld& world, double slab, double cell)
+SpaceTimeGrid::Axis::Axis(double low_end, double high_end, double cell)
+    : low(low_end), per_metre(0), cells(1) {
+  const double span = high_end - low_end;
+  const double wanted = std::clamp(std::floor(span / cell), 1.0, kMostCells);
+  cells = static_cast<std::size_t>(wanted);
+  if (span > 0) per_metre = wanted / span;
+}
+
+std::size_t SpaceTimeGrid::Axis::index(double x) const {
+  const double cell = (x - low) * per_metre;
+  return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+}
+
+SpaceTimeGrid::SpaceTimeGrid(const CollisionWorld& world, double slab, const Aabb& area,
+                             double cell)
     : world_(world),
       slab_(slab),
-      cell_(cell),
+      columns_(area.min.x(), area.max.x(), cell),
+      rows_(area.min.y(), area.max.y(), cell),
       boxes_(world.scene().robots.size()),
       added_in_(world.scene().robots.size(), 0) {}
 
@@ -44,29 +56,31 @@ std::size_t SpaceTimeGrid::slab_of(double t) const {
 
 template <class Visit>
 void SpaceTimeGrid::for_each_cell(const Aabb& box, std::size_t slab, const Visit& visit) const {
-  const std::int64_t x0 = cell_index(box.min.x(), cell_), x1 = cell_index(box.max.x(), cell_);
-  const std::int64_t y0 = cell_index(box.min.y(), cell_), y1 = cell_index(box.max.y(), cell_);
-  for (std::int64_t x = x0; x <= x1; ++x) {
-    for (std::int64_t y = y0; y <= y1; ++y) {
-      visit(combine({slab, static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y)}));
-    }
+  const std::size_t x0 = columns_.index(box.min.x()), x1 = columns_.index(box.max.x());
+  const std::size_t y0 = rows_.index(box.min.y()), y1 = rows_.index(box.max.y());
+  for (std::size_t y = y0; y <= y1; ++y) {
+    const std::size_t row = (slab * rows_.cells + y) * columns_.cells;
+    for (std::size_t x = x0; x <= x1; ++x) visit(row + x);
   }
 }
 
 void SpaceTimeGrid::file(RobotId robot, std::size_t slab, const Aabb& box) {
-  for_each_cell(box, slab, [&](Key key) { cells_[key].push_back(robot); });
+  for_each_cell(box, slab, [&](std::size_t cell) { cells_[cell].push_back({robot, box}); });
 }
 
 void SpaceTimeGrid::remove(RobotId robot, std::size_t slab) {
-  for_each_cell(boxes_[robot.index()][slab], slab, [&](Key key) {
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) return;
-    std::erase(cell->second, robot);
-    if (cell->second.empty()) cells_.erase(cell);
+  for_each_cell(boxes_[robot.index()][slab], slab, [&](std::size_t cell) {
+    std::vector<Filed>& filed = cells_[cell];
+    const auto found = std::ranges::find(filed, robot, &Filed::robot);
+    *found = filed.back();
+    filed.pop_back();
   });
 }
 
 void SpaceTimeGrid::extend_to(std::size_t slabs) {
+  if (slabs <= slabs_) return;
+  slabs_ = slabs;
+  cells_.resize(slabs * rows_.cells * columns_.cells);
   for (std::size_t r = 0; r < boxes_.size(); ++r) {
     std::vector<Aabb>& boxes = boxes_[r];
     while (!boxes.empty() && boxes.size() < slabs) {
@@ -74,7 +88,6 @@ void SpaceTimeGrid::extend_to(std::size_t slabs) {
       file({static_cast<std::uint32_t>(r)}, boxes.size() - 1, boxes.back());
     }
   }
-  slabs_ = std::max(slabs_, slabs);
 }
 
 void SpaceTimeGrid::place(RobotId robot, const Trajectory& path, double from) {
@@ -104,14 +117,11 @@ void SpaceTimeGrid::begin(std::vector<RobotId>& out) const {
 }
 
 void SpaceTimeGrid::collect(const Aabb& box, std::size_t slab, std::vector<RobotId>& out) const {
-  for_each_cell(box, slab, [&](Key key) {
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) return;
-    for (const RobotId other : cell->second) {
-      if (added_in_[other.index()] == question_) continue;
-      if (!boxes_[other.index()][slab].overlaps(box)) continue;
-      added_in_[other.index()] = question_;
-      out.push_back(other);
+  for_each_cell(box, slab, [&](std::size_t cell) {
+    for (const Filed& other : cells_[cell]) {
+      if (!other.box.overlaps(box) || added_in_[other.robot.index()] == question_) continue;
+      added_in_[other.robot.index()] = question_;
+      out.push_back(other.robot);
     }
   });
 }
@@ -120,7 +130,6 @@ void SpaceTimeGrid::neighbours(RobotId robot, std::size_t slab, std::vector<Robo
   begin(out);
   added_in_[robot.index()] = question_;
   collect(boxes_[robot.index()][slab], slab, out);
-  std::ranges::sort(out);
 }
 
 void SpaceTimeGrid::within(const Aabb& box, double from, double until,

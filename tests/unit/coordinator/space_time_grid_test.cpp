@@ -26,7 +26,8 @@ TEST(SpaceTimeGrid, NamesEveryPairThatComesCloseInASlabThroughAnyChanges) {
   const CollisionWorld world(builder.build(), kPlanningMargin);
   RandomStream random(3);
   for (const double cell : {0.7, 4.0, 100.0}) {
-    SpaceTimeGrid grid(world, 1.0, cell);
+    // Smaller than where the robots are, so that some are filed at its rim.
+    SpaceTimeGrid grid(world, 1.0, {{-8, -8, 0}, {8, 9, 0}}, cell);
     std::vector<Trajectory> paths;
     for (std::uint32_t r = 0; r < kRobots; ++r) {
       paths.push_back(random_path(random));
