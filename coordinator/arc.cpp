@@ -108,9 +108,12 @@ std::vector<Arc::Job> Arc::choose(const ConflictBoard& board) const {
 
 void Arc::solve(std::vector<Job>& jobs) {
   std::vector<Subproblem> subproblems;
-  for (const Job& job : jobs) subproblems.push_back(job.subproblem);
+  for (Job& job : jobs) subproblems.push_back(std::move(job.subproblem));
   std::vector<Resolution> resolutions = workforce_.solve(subproblems, stop_);
-  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].resolution = std::move(resolutions[i]);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].subproblem = std::move(subproblems[i]);
+    jobs[i].resolution = std::move(resolutions[i]);
+  }
   find_robots_in_the_way(jobs);
 }
 

@@ -48,6 +48,17 @@ double away_from_slivers(double t, const std::vector<RobotId>& robots, const Sch
   return t;
 }
 
+// The segments of a path that reach into [from, until] (s). Where it is cut off at its end, it goes
+// on beyond `until`: it does not seem to park.
+Trajectory clipped(const Trajectory& path, double from, double until) {
+  Trajectory out(path.dof());
+  for (std::size_t i = path.segment_at(from); i < path.size(); ++i) {
+    out.append(path.time(i), path.configuration(i));
+    if (path.time(i) > until) break;
+  }
+  return out;
+}
+
 }  // namespace
 
 void SubproblemFactory::use_roadmap(RobotId robot, int level) {
@@ -339,7 +350,8 @@ void SubproblemFactory::add_outsiders(const Schedule& schedule, const ConflictBo
     // asks it to move when it comes there.
     if (!(out.is_crowd() && shortsighted) && schedule.path(robot).end_time() <= until)
       until = kInfinity;
-    out.outsiders.push_back({robot, schedule.version(robot), schedule.path(robot), until});
+    out.outsiders.push_back(
+        {robot, schedule.version(robot), clipped(schedule.path(robot), out.from, until), until});
   }
 }
 
