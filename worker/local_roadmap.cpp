@@ -51,7 +51,8 @@ LocalRoadmap::Node LocalRoadmap::add(const Team& team, ConfigurationView q, bool
     }
   }
   configurations_.insert(configurations_.end(), q.begin(), q.end());
-  adjacency_.emplace_back();
+  constexpr std::size_t kUsualEdges = 8;
+  adjacency_.emplace_back().reserve(kUsualEdges);
   return static_cast<Node>(size() - 1);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/planning/splice.h"
+#include "worker/node_table.h"
 #include "worker/times_to_goal.h"
 
 namespace accord {
@@ -22,6 +23,12 @@ struct State {
   double arrival = std::numeric_limits<double>::infinity();
   double departure = 0;  // from the parent
   std::uint32_t parent = kNone;
+};
+
+// Which states are those of a node.
+struct NodeStates {
+  std::uint32_t first = kNone;  // kNone: not known yet
+  std::uint32_t count = 0;
 };
 
 struct Open {
@@ -71,8 +78,7 @@ class Search {
         request_(request),
         stop_(stop),
         checks_end_(motions.checks() + request.checks),
-        first_(roadmap.size(), kNone),
-        count_(roadmap.size(), 0),
+        of_node_(roadmap.size()),
         to_goal_(team, roadmap, request.goal, request.start) {}
 
   std::optional<TimedPath> run(std::uint64_t& expanded) {
@@ -93,9 +99,9 @@ class Search {
  private:
   // When the goal is free for good: nobody has to be there before. False: never.
   bool find_goal_times() {
-    load_states(request_.goal);
-    for (std::uint32_t i = 0; i < count_[request_.goal]; ++i) {
-      const Interval& interval = states_[first_[request_.goal] + i].interval;
+    const auto [first, count] = states_of(request_.goal);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Interval& interval = states_[first + i].interval;
       if (interval.hi < request_.hold_until) continue;
       goal_from_ = interval.lo;
       return true;
@@ -112,16 +118,16 @@ class Search {
   }
 
   void open_start() {
-    load_states(request_.start);
-    for (std::uint32_t i = 0; i < count_[request_.start]; ++i) {
-      State& state = states_[first_[request_.start] + i];
+    const auto [first, count] = states_of(request_.start);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      State& state = states_[first + i];
       // The start is where the robot is: it may lie in the slack of what it is passing just now.
       constexpr double kLeeway = 2 * MovingObstacles::kSlack;
       if (state.interval.lo > request_.from + kLeeway) continue;
       if (state.interval.hi < request_.from - kLeeway) continue;
       state.interval.hi = std::max(state.interval.hi, request_.from);
       state.arrival = request_.from;
-      open(first_[request_.start] + i);
+      open(first + i);
     }
   }
 
@@ -130,12 +136,15 @@ class Search {
            state.interval.hi >= std::max(state.arrival, request_.hold_until);
   }
 
-  void load_states(Node node) {
-    if (first_[node] != kNone) return;
-    motions_.safe_intervals(node, intervals_);
-    first_[node] = static_cast<std::uint32_t>(states_.size());
-    count_[node] = static_cast<std::uint32_t>(intervals_.size());
-    for (const Interval& interval : intervals_) states_.push_back({node, interval});
+  NodeStates states_of(Node node) {
+    NodeStates& known = of_node_[node];
+    if (known.first == kNone) {
+      motions_.safe_intervals(node, intervals_);
+      known = {static_cast<std::uint32_t>(states_.size()),
+               static_cast<std::uint32_t>(intervals_.size())};
+      for (const Interval& interval : intervals_) states_.push_back({node, interval});
+    }
+    return known;
   }
 
   bool is_spent() const { return stop_ || motions_.checks() > checks_end_; }
@@ -143,8 +152,8 @@ class Search {
   void expand(std::uint32_t id) {
     for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
       if (is_spent()) return;
-      load_states(edge.to);
-      for (std::uint32_t i = 0; i < count_[edge.to]; ++i) relax(id, edge, first_[edge.to] + i);
+      const auto [first, count] = states_of(edge.to);
+      for (std::uint32_t i = 0; i < count; ++i) relax(id, edge, first + i);
     }
   }
 
@@ -198,8 +207,7 @@ class Search {
   const SearchRequest& request_;
   const std::atomic<bool>& stop_;
   std::uint64_t checks_end_;
-  std::vector<std::uint32_t> first_;  // a node's first state
-  std::vector<std::uint32_t> count_;  // a node's number of states
+  NodeTable<NodeStates> of_node_;
   TimesToGoal to_goal_;
   double goal_from_ = 0;  // s
   std::vector<State> states_;

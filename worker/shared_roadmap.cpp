@@ -67,11 +67,13 @@ class SharedRoadmap::Index {
   }
 
   void nearest(ConfigurationView q, std::size_t k, std::vector<Node>& out) const {
-    std::vector<double> point;
+    thread_local std::vector<double> point;
+    point.clear();
     embedding_.append(q, point);
     k = std::min(k, points_.kdtree_get_point_count());
     out.resize(k);
-    std::vector<double> squared(k);
+    thread_local std::vector<double> squared;
+    squared.resize(k);
     if (k > 0) out.resize(tree_->knnSearch(point.data(), k, out.data(), squared.data()));
   }
 
@@ -94,20 +96,40 @@ SharedRoadmap::SharedRoadmap(const CollisionWorld& world, RobotId robot,
 SharedRoadmap::~SharedRoadmap() = default;
 
 void SharedRoadmap::connect() {
-  edges_.resize(nodes_.size());
+  // The edges that nodes lay, in the order of nodes; of a mutual pair only the first lays the edge.
+  struct Laid {
+    Node from, to;
+    double duration;
+  };
+  std::vector<Laid> laid;
+  std::vector<std::size_t> first_laid{0};  // by node, and one past the last
+  const auto has_laid = [&](Node from, Node to) {
+    const auto begin = laid.begin() + static_cast<std::ptrdiff_t>(first_laid[from]);
+    const auto end = laid.begin() + static_cast<std::ptrdiff_t>(first_laid[from + 1]);
+    return std::any_of(begin, end, [to](const Laid& edge) { return edge.to == to; });
+  };
+  std::vector<std::size_t> degree(nodes_.size(), 0);
   std::vector<Node> near;
   for (Node a = 0; a < size(); ++a) {
     nearest(nodes_[a], kNeighbours + 1, near);
     for (const Node b : near) {
-      // Of a mutual pair only the first lays the edge.
-      const auto leads_to_b = [b](const RoadmapEdge& edge) { return edge.to == b; };
-      if (b == a || std::ranges::any_of(edges_[a], leads_to_b)) continue;
+      if (b == a || (b < a && has_laid(b, a))) continue;
       const double time = duration(nodes_[a], nodes_[b]);
       if (time <= 0) continue;
-      edges_[a].push_back({b, edge_count_, time});
-      edges_[b].push_back({a, edge_count_, time});
-      ++edge_count_;
+      laid.push_back({a, b, time});
+      ++degree[a];
+      ++degree[b];
     }
+    first_laid.push_back(laid.size());
+  }
+  first_edge_.assign(1, 0);
+  for (const std::size_t edges : degree) first_edge_.push_back(first_edge_.back() + edges);
+  edges_.resize(first_edge_.back());
+  std::vector<std::size_t> next(first_edge_.begin(), first_edge_.end() - 1);
+  for (const Laid& edge : laid) {
+    edges_[next[edge.from]++] = {edge.to, edge_count_, edge.duration};
+    edges_[next[edge.to]++] = {edge.from, edge_count_, edge.duration};
+    ++edge_count_;
   }
   proofs_ = std::make_unique<std::atomic<std::uint8_t>[]>(edge_count_);
 }
@@ -128,13 +150,15 @@ void SharedRoadmap::nearest(ConfigurationView q, std::size_t k, std::vector<Node
 }
 
 double SharedRoadmap::duration(ConfigurationView a, ConfigurationView b) const {
-  Configuration delta(model_.dof());
+  thread_local Configuration delta;
+  delta.resize(model_.dof());
   difference(model_, a, b, delta);
   return least_duration(model_, delta);
 }
 
 bool SharedRoadmap::motion_is_free(ConfigurationView a, ConfigurationView b) const {
-  Configuration target(model_.dof());
+  thread_local Configuration target;
+  target.resize(model_.dof());
   nearest_representation(model_, a, b, target);
   return world_.motion_is_free(robot_, a, target);
 }

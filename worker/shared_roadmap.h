@@ -33,7 +33,9 @@ class SharedRoadmap {
   Node size() const { return static_cast<Node>(nodes_.size()); }
   std::uint32_t edge_count() const { return edge_count_; }
   ConfigurationView configuration(Node node) const { return nodes_[node]; }
-  std::span<const RoadmapEdge> edges(Node node) const { return edges_[node]; }
+  std::span<const RoadmapEdge> edges(Node node) const {
+    return {edges_.data() + first_edge_[node], edges_.data() + first_edge_[node + 1]};
+  }
 
   // Whether an edge's motion is free.
   bool is_free(Node from, const RoadmapEdge& edge) const;
@@ -59,7 +61,8 @@ class SharedRoadmap {
   const RobotModel& model_;
   std::vector<Configuration> nodes_;
   std::unique_ptr<Index> index_;
-  std::vector<std::vector<RoadmapEdge>> edges_;  // by node
+  std::vector<RoadmapEdge> edges_;        // by node
+  std::vector<std::size_t> first_edge_;  // by node, and one past the last
   std::uint32_t edge_count_ = 0;
   std::unique_ptr<std::atomic<std::uint8_t>[]> proofs_;  // by edge id
 };

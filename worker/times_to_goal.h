@@ -4,10 +4,11 @@
 // Not thread safe; the roadmap must outlive it and not grow meanwhile.
 #pragma once
 
+#include <limits>
 #include <queue>
-#include <vector>
 
 #include "worker/local_roadmap.h"
+#include "worker/node_table.h"
 #include "worker/team.h"
 
 namespace accord {
@@ -33,13 +34,17 @@ class TimesToGoal {
     }
   };
 
+  struct Least {
+    double time = std::numeric_limits<double>::infinity();  // s: the least found
+    bool is_known = false;                                  // to be the least of all
+  };
+
   void reach(Node node, double time);
 
   const Team& team_;
   const LocalRoadmap& roadmap_;
   ConfigurationView start_;
-  std::vector<double> times_;  // by node: the least found
-  std::vector<char> known_;    // by node: whether it is the least of all
+  NodeTable<Least> least_;
   std::priority_queue<Reached> open_;
   Configuration near_;  // scratch
 };
