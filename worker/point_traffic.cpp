@@ -6,6 +6,9 @@
 namespace accord {
 namespace {
 
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr unsigned kFirstBucketBits = 8;
+
 std::uint64_t key_of(std::int64_t x, std::int64_t y) {
   return (static_cast<std::uint64_t>(x) << 32U) ^ (static_cast<std::uint64_t>(y) & 0xffffffffU);
 }
@@ -16,6 +19,13 @@ Vec3 end_of(const PointTraffic::Piece& piece) {
 }
 
 }  // namespace
+
+PointTraffic::PointTraffic(double room)
+    : room_(room),
+      cell_(kCellsPerRoom * room),
+      spare_entries_(kNone),
+      buckets_(std::size_t{1} << kFirstBucketBits, kNone),
+      bucket_bits_(kFirstBucketBits) {}
 
 Vec3 to_point(ConfigurationView q) {
   return {q[0], q[1], q.size() > 2 ? q[2] : 0.0};
@@ -71,23 +81,61 @@ void PointTraffic::add(std::uint32_t owner, const Trajectory& path, double radiu
   }
 }
 
+// Fibonacci hashing (Knuth, vol. 3, 6.4).
+std::size_t PointTraffic::bucket_of(Key cell) const {
+  return (cell * 0x9e3779b97f4a7c15U) >> (64U - bucket_bits_);
+}
+
 void PointTraffic::file(Id id, std::uint32_t owner) {
   const Piece& piece = pieces_[id];
-  const Vec3 end = end_of(piece);
-  for_each_cell(piece.position, end, piece.radius + room_, [&](Key key) {
-    cells_[key].push_back({piece.t0, piece.t1, id, owner});
+  for_each_cell(piece.position, end_of(piece), piece.radius + room_, [&](Key cell) {
+    file({cell, piece.t0, piece.t1, id, owner, kNone});
   });
+}
+
+void PointTraffic::file(const Entry& entry) {
+  std::uint32_t index = spare_entries_;
+  if (index != kNone) {
+    spare_entries_ = entries_[index].next;
+    entries_[index] = entry;
+  } else {
+    if (entries_.size() == buckets_.size()) widen();
+    index = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back(entry);
+  }
+  std::uint32_t& first = buckets_[bucket_of(entry.cell)];
+  entries_[index].next = first;
+  first = index;
+}
+
+void PointTraffic::take_out(Id id) {
+  const Piece& piece = pieces_[id];
+  for_each_cell(piece.position, end_of(piece), piece.radius + room_, [&](Key cell) {
+    std::uint32_t* link = &buckets_[bucket_of(cell)];
+    while (entries_[*link].id != id || entries_[*link].cell != cell) link = &entries_[*link].next;
+    const std::uint32_t index = *link;
+    *link = entries_[index].next;
+    entries_[index].next = spare_entries_;
+    spare_entries_ = index;
+  });
+}
+
+// Requires: no entry is spare.
+void PointTraffic::widen() {
+  bucket_bits_ += 2;
+  buckets_.assign(std::size_t{1} << bucket_bits_, kNone);
+  for (std::uint32_t index = 0; index < entries_.size(); ++index) {
+    std::uint32_t& first = buckets_[bucket_of(entries_[index].cell)];
+    entries_[index].next = first;
+    first = index;
+  }
 }
 
 void PointTraffic::remove(std::uint32_t owner) {
   const auto found = by_owner_.find(owner);
   if (found == by_owner_.end()) return;
   for (const Id id : found->second) {
-    const Piece& piece = pieces_[id];
-    const Vec3 end = end_of(piece);
-    for_each_cell(piece.position, end, piece.radius + room_, [&](Key key) {
-      std::erase_if(cells_[key], [id](const Entry& entry) { return entry.id == id; });
-    });
+    take_out(id);
     free_.push_back(id);
   }
   by_owner_.erase(found);
@@ -98,11 +146,10 @@ void PointTraffic::near(const Vec3& a, const Vec3& b, double since, double until
   seen_in_.resize(pieces_.size(), call_);
   ++call_;
   for_each_cell(a, b, 0, [&](Key key) {
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) return;
-    for (const Entry& entry : cell->second) {
-      if (entry.t1 <= since || entry.t0 >= until || seen_in_[entry.id] == call_) continue;
-      if (only && !(*only)[entry.owner]) continue;
+    for (std::uint32_t i = buckets_[bucket_of(key)]; i != kNone; i = entries_[i].next) {
+      const Entry& entry = entries_[i];
+      if (entry.t1 <= since || entry.t0 >= until || entry.cell != key) continue;
+      if (seen_in_[entry.id] == call_ || (only && !(*only)[entry.owner])) continue;
       seen_in_[entry.id] = call_;
       out.push_back(&pieces_[entry.id]);
     }

@@ -27,7 +27,7 @@ class PointTraffic {
   };
 
   // Questions will be about places up to `room` (m, > 0) from where a robot's body is.
-  explicit PointTraffic(double room) : room_(room), cell_(kCellsPerRoom * room) {}
+  explicit PointTraffic(double room);
 
   // Files a robot's path from `from` (s) until `until`; it parks at the path's end. `owner` names
   // it. Requires: `owner` is not there.
@@ -48,16 +48,23 @@ class PointTraffic {
  private:
   using Id = std::uint32_t;
   using Key = std::uint64_t;
-  // A piece in a cell, with its times, so that most are passed over without a look at them.
+  // A piece in a cell, with its times, so that most are passed over without a look at them. Those
+  // of cells that share a bucket are one list.
   struct Entry {
+    Key cell;
     double t0, t1;  // s
     Id id;
     std::uint32_t owner;
+    std::uint32_t next;  // in the bucket
   };
 
   template <class Visit>
   void for_each_cell(const Vec3& a, const Vec3& b, double margin, const Visit& visit) const;
   void file(Id id, std::uint32_t owner);
+  void file(const Entry& entry);
+  void take_out(Id id);
+  std::size_t bucket_of(Key cell) const;
+  void widen();
 
   static constexpr double kCellsPerRoom = 2;
 
@@ -66,7 +73,10 @@ class PointTraffic {
   std::vector<Piece> pieces_;
   std::vector<Id> free_;  // of pieces_
   std::unordered_map<std::uint32_t, std::vector<Id>> by_owner_;
-  std::unordered_map<Key, std::vector<Entry>> cells_;
+  std::vector<Entry> entries_;
+  std::uint32_t spare_entries_;         // a list of them
+  std::vector<std::uint32_t> buckets_;  // a power of two of them: the first entry of each
+  unsigned bucket_bits_ = 0;
   mutable std::vector<std::uint32_t> seen_in_;  // by piece: the last call of near() that met it
   mutable std::uint32_t call_ = 0;
 };

@@ -61,7 +61,7 @@ class SharedRoadmap {
   const RobotModel& model_;
   std::vector<Configuration> nodes_;
   std::unique_ptr<Index> index_;
-  std::vector<RoadmapEdge> edges_;        // by node
+  std::vector<RoadmapEdge> edges_;       // by node
   std::vector<std::size_t> first_edge_;  // by node, and one past the last
   std::uint32_t edge_count_ = 0;
   std::unique_ptr<std::atomic<std::uint8_t>[]> proofs_;  // by edge id
