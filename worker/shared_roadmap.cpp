@@ -51,8 +51,50 @@ struct PointTable {
   }
 };
 
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>,
-                                                   PointTable, -1, std::uint32_t>;
+// A k-d tree, whatever its dimension.
+class Tree {
+ public:
+  virtual ~Tree() = default;
+  // The k nearest, nearest first, with the squares of their distances; returns how many.
+  virtual std::size_t nearest(const double* point, std::size_t k, std::uint32_t* out,
+                              double* squared) const = 0;
+};
+
+// Of a dimension known to the compiler, or of any: -1. Requires: `points` outlives it.
+template <int kDimension>
+class TreeOf final : public Tree {
+ public:
+  explicit TreeOf(const PointTable& points)
+      : tree_(static_cast<int>(points.dimension), points,
+              nanoflann::KDTreeSingleIndexAdaptorParams(kLeaf)) {}
+
+  std::size_t nearest(const double* point, std::size_t k, std::uint32_t* out,
+                      double* squared) const override {
+    return tree_.knnSearch(point, k, out, squared);
+  }
+
+ private:
+  static constexpr std::size_t kLeaf = 10;
+
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointTable>, PointTable,
+                                      kDimension, std::uint32_t>
+      tree_;
+};
+
+std::unique_ptr<Tree> make_tree(const PointTable& points) {
+  switch (points.dimension) {
+    case 2:
+      return std::make_unique<TreeOf<2>>(points);
+    case 3:
+      return std::make_unique<TreeOf<3>>(points);
+    case 4:
+      return std::make_unique<TreeOf<4>>(points);
+    case 6:
+      return std::make_unique<TreeOf<6>>(points);
+    default:
+      return std::make_unique<TreeOf<-1>>(points);
+  }
+}
 
 }  // namespace
 
@@ -61,26 +103,23 @@ class SharedRoadmap::Index {
   Index(const CollisionWorld& world, RobotId robot, const std::vector<Configuration>& nodes)
       : embedding_(world, robot), points_{embedding_.dimension(), {}} {
     for (const Configuration& q : nodes) embedding_.append(q, points_.values);
-    constexpr std::size_t kLeaf = 10;
-    tree_ = std::make_unique<KdTree>(static_cast<int>(points_.dimension), points_,
-                                     nanoflann::KDTreeSingleIndexAdaptorParams(kLeaf));
+    tree_ = make_tree(points_);
   }
 
   void nearest(ConfigurationView q, std::size_t k, std::vector<Node>& out) const {
-    thread_local std::vector<double> point;
+    thread_local std::vector<double> point, squared;
     point.clear();
     embedding_.append(q, point);
     k = std::min(k, points_.kdtree_get_point_count());
     out.resize(k);
-    thread_local std::vector<double> squared;
     squared.resize(k);
-    if (k > 0) out.resize(tree_->knnSearch(point.data(), k, out.data(), squared.data()));
+    if (k > 0) out.resize(tree_->nearest(point.data(), k, out.data(), squared.data()));
   }
 
  private:
   Embedding embedding_;
   PointTable points_;
-  std::unique_ptr<KdTree> tree_;
+  std::unique_ptr<Tree> tree_;
 };
 
 SharedRoadmap::SharedRoadmap(const CollisionWorld& world, RobotId robot,
