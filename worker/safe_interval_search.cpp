@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <vector>
 
 #include "common/planning/splice.h"
@@ -29,20 +30,43 @@ struct State {
 struct NodeStates {
   std::uint32_t first = kNone;  // kNone: not known yet
   std::uint32_t count = 0;
+  double to_go = -1;  // s: least time to the goal as the crow flies; negative: not known yet
 };
 
+// What to look at next. A motion out of a state is worked out in steps, each of which can only put
+// it off: of most, the first shows that they lead nowhere soon (lazy A*; Cohen, Phillips and
+// Likhachev 2014).
 struct Open {
-  double bound;    // on the arrival at the goal
-  double to_go;    // least time from here to the goal
-  double arrival;  // here; what it was when this was put into the queue
-  std::uint32_t state;
+  enum class Step : std::uint8_t {
+    kLeave,   // a state is reached: set out from it
+    kWay,     // a motion, the best of those left: how far is it to the goal from its end?
+    kEnter,   // a motion: which intervals of its end can it reach?
+    kDepart,  // a motion into an interval: when can it depart?
+  };
+
+  double bound;         // on the arrival at the goal
+  double to_go;         // time from here to the goal, at least
+  double left;          // the arrival at `state` when this was put into the queue
+  std::uint32_t state;  // of which this is, or out of which the motion leads
+  std::uint32_t way;    // of the motion
+  std::uint32_t into;   // kDepart: the state
+  Step step;
 
   // For a queue with the least bound on top; of equals the one nearest to the goal.
   bool operator<(const Open& other) const {
     if (bound != other.bound) return bound > other.bound;
     if (to_go != other.to_go) return to_go > other.to_go;
+    if (step != other.step) return step > other.step;
     return state > other.state;
   }
+};
+
+// A motion out of a state, as one of a run of these, best first.
+struct Way {
+  double bound;  // on the arrival at the goal
+  double to_go;  // s, as the crow flies
+  LocalRoadmap::Edge edge;
+  bool is_last;  // of the run
 };
 
 // Among the moving bodies that a team avoids.
@@ -79,19 +103,33 @@ class Search {
         stop_(stop),
         checks_end_(motions.checks() + request.checks),
         of_node_(roadmap.size()),
-        to_goal_(team, roadmap, request.goal, request.start) {}
+        to_goal_(team, roadmap, request.goal, request.start),
+        target_(team.dof()) {}
 
   std::optional<TimedPath> run(std::uint64_t& expanded) {
     if (!find_goal_times()) return std::nullopt;
     open_start();
     for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty() && !is_spent();) {
-      const auto [bound, to_go, arrival, id] = open_.top();
+      const Open next = open_.top();
       open_.pop();
-      if (arrival > states_[id].arrival) continue;  // reached earlier since
-      if (is_goal(states_[id])) return trace(id);
-      ++expanded;
-      --budget;
-      expand(id);
+      if (next.left > states_[next.state].arrival) continue;  // reached earlier since
+      switch (next.step) {
+        case Open::Step::kLeave:
+          if (is_goal(states_[next.state])) return trace(next.state);
+          ++expanded;
+          --budget;
+          leave(next.state);
+          break;
+        case Open::Step::kWay:
+          find_way(next);
+          break;
+        case Open::Step::kEnter:
+          enter(next);
+          break;
+        case Open::Step::kDepart:
+          depart(next);
+          break;
+      }
     }
     return std::nullopt;
   }
@@ -99,7 +137,7 @@ class Search {
  private:
   // When the goal is free for good: nobody has to be there before. False: never.
   bool find_goal_times() {
-    const auto [first, count] = states_of(request_.goal);
+    const auto [first, count, _] = states_of(request_.goal);
     for (std::uint32_t i = 0; i < count; ++i) {
       const Interval& interval = states_[first + i].interval;
       if (interval.hi < request_.hold_until) continue;
@@ -109,16 +147,20 @@ class Search {
     return false;
   }
 
+  double bound(double arrival, double to_go) const {
+    return std::max(arrival + request_.greed * to_go, goal_from_);
+  }
+
   void open(std::uint32_t id) {
     const State& state = states_[id];
     const double to_go = to_goal_.from(state.node);
     if (std::isinf(to_go)) return;
-    const double bound = state.arrival + request_.greed * to_go;
-    open_.push({std::max(bound, goal_from_), to_go, state.arrival, id});
+    open_.push(
+        {bound(state.arrival, to_go), to_go, state.arrival, id, kNone, kNone, Open::Step::kLeave});
   }
 
   void open_start() {
-    const auto [first, count] = states_of(request_.start);
+    const auto [first, count, _] = states_of(request_.start);
     for (std::uint32_t i = 0; i < count; ++i) {
       State& state = states_[first + i];
       // The start is where the robot is: it may lie in the slack of what it is passing just now.
@@ -140,8 +182,8 @@ class Search {
     NodeStates& known = of_node_[node];
     if (known.first == kNone) {
       motions_.safe_intervals(node, intervals_);
-      known = {static_cast<std::uint32_t>(states_.size()),
-               static_cast<std::uint32_t>(intervals_.size())};
+      known.first = static_cast<std::uint32_t>(states_.size());
+      known.count = static_cast<std::uint32_t>(intervals_.size());
       for (const Interval& interval : intervals_) states_.push_back({node, interval});
     }
     return known;
@@ -149,30 +191,93 @@ class Search {
 
   bool is_spent() const { return stop_ || motions_.checks() > checks_end_; }
 
-  void expand(std::uint32_t id) {
-    for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
-      if (is_spent()) return;
-      const auto [first, count] = states_of(edge.to);
-      for (std::uint32_t i = 0; i < count; ++i) relax(id, edge, first + i);
+  double crow_flies(Node node) {
+    double& to_go = of_node_[node].to_go;
+    if (to_go < 0) {
+      const ConfigurationView q = roadmap_.configuration(node);
+      team_.nearest_representation(q, roadmap_.configuration(request_.goal), target_);
+      to_go = team_.duration(q, target_);
+    }
+    return to_go;
+  }
+
+  void leave(std::uint32_t id) {
+    const State& from = states_[id];
+    const auto begin = ways_.size();
+    for (const LocalRoadmap::Edge& edge : roadmap_.edges(from.node)) {
+      if (was_reached_by(from.arrival + edge.duration, edge.to)) continue;
+      const double to_go = crow_flies(edge.to);
+      ways_.push_back({bound(from.arrival + edge.duration, to_go), to_go, edge, false});
+    }
+    if (begin == ways_.size()) return;
+    std::sort(ways_.begin() + static_cast<std::ptrdiff_t>(begin), ways_.end(),
+              [](const Way& a, const Way& b) {
+                return std::tie(a.bound, a.to_go, a.edge.id) <
+                       std::tie(b.bound, b.to_go, b.edge.id);
+              });
+    ways_.back().is_last = true;
+    open_way(id, static_cast<std::uint32_t>(begin));
+  }
+
+  // Whether a node that is safe for all time has been reached by then.
+  bool was_reached_by(double arrival, Node node) {
+    const NodeStates& known = of_node_[node];
+    return known.first != kNone && known.count == 1 && states_[known.first].arrival <= arrival;
+  }
+
+  void open_way(std::uint32_t id, std::uint32_t way) {
+    open_.push({ways_[way].bound, ways_[way].to_go, states_[id].arrival, id, way, kNone,
+                Open::Step::kWay});
+  }
+
+  // Whether it would be taken out of the queue as soon as it is put in.
+  bool is_next(const Open& motion) const { return open_.empty() || !(motion < open_.top()); }
+
+  void find_way(Open motion) {
+    const Way way = ways_[motion.way];
+    if (!way.is_last) open_way(motion.state, motion.way + 1);
+    motion.to_go = to_goal_.from(way.edge.to);
+    if (std::isinf(motion.to_go)) return;
+    motion.bound = bound(states_[motion.state].arrival + way.edge.duration, motion.to_go);
+    motion.step = Open::Step::kEnter;
+    if (is_next(motion)) {
+      enter(motion);
+    } else {
+      open_.push(motion);
     }
   }
 
-  void relax(std::uint32_t from_id, const LocalRoadmap::Edge& edge, std::uint32_t to_id) {
-    const State from = states_[from_id];
-    const Interval there = states_[to_id].interval;
-    const double lo = std::max(from.arrival, there.lo - edge.duration);
-    const double hi = std::min(from.interval.hi, there.hi - edge.duration);
-    if (lo > hi || lo + edge.duration >= states_[to_id].arrival) return;
+  void enter(Open motion) {
+    const LocalRoadmap::Edge& edge = ways_[motion.way].edge;
+    const auto [first, count, _] = states_of(edge.to);
+    const State& from = states_[motion.state];
+    for (std::uint32_t id = first; id < first + count; ++id) {
+      const State& to = states_[id];
+      const double arrival = std::max(from.arrival + edge.duration, to.interval.lo);
+      if (arrival - edge.duration > from.interval.hi || arrival > to.interval.hi) continue;
+      if (arrival >= to.arrival) continue;
+      motion.bound = bound(arrival, motion.to_go);
+      motion.into = id;
+      motion.step = Open::Step::kDepart;
+      if (count == 1 && is_next(motion)) return depart(motion);
+      open_.push(motion);
+    }
+  }
+
+  void depart(const Open& motion) {
+    const LocalRoadmap::Edge& edge = ways_[motion.way].edge;
+    const State& from = states_[motion.state];
+    State& to = states_[motion.into];
+    const double lo = std::max(from.arrival, to.interval.lo - edge.duration);
+    const double hi = std::min(from.interval.hi, to.interval.hi - edge.duration);
+    if (lo > hi || lo + edge.duration >= to.arrival) return;
     if (!roadmap_.is_free(team_, from.node, edge)) return;
     const auto departure = motions_.earliest_departure(from.node, edge, lo, hi);
-    if (!departure) return;
-    const double arrival = *departure + edge.duration;
-    State& to = states_[to_id];
-    if (arrival >= to.arrival) return;
-    to.arrival = arrival;
+    if (!departure || *departure + edge.duration >= to.arrival) return;
+    to.arrival = *departure + edge.duration;
     to.departure = *departure;
-    to.parent = from_id;
-    open(to_id);
+    to.parent = motion.state;
+    open(motion.into);
   }
 
   TimedPath trace(std::uint32_t id) const {
@@ -211,8 +316,10 @@ class Search {
   TimesToGoal to_goal_;
   double goal_from_ = 0;  // s
   std::vector<State> states_;
+  std::vector<Way> ways_;
   std::priority_queue<Open> open_;
   std::vector<Interval> intervals_;  // scratch
+  Configuration target_;             // scratch
 };
 
 }  // namespace
