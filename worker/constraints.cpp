@@ -11,7 +11,7 @@ void Constraints::add(const Constraint& constraint) {
   mine.insert(later, constraint.when);
 }
 
-void Constraints::safe_intervals(LocalRoadmap::Node node, std::vector<Interval>& out) {
+void Constraints::safe_intervals(LocalRoadmap::Node node, double, std::vector<Interval>& out) {
   out.clear();
   double safe_from = from_;
   const auto found = forbidden_.find({node, node});

@@ -24,7 +24,7 @@ class Constraints final : public TimedMotions {
 
   void add(const Constraint& constraint);
 
-  void safe_intervals(LocalRoadmap::Node node, std::vector<Interval>& out) override;
+  void safe_intervals(LocalRoadmap::Node node, double since, std::vector<Interval>& out) override;
   std::optional<double> earliest_departure(LocalRoadmap::Node from, const LocalRoadmap::Edge& edge,
                                            double lo, double hi) override;
   std::uint64_t checks() const override { return 0; }  // no geometry

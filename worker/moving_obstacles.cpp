@@ -98,11 +98,13 @@ void MovingObstacles::add_points(const Trajectory& path, double radius, double u
   }
 }
 
-void MovingObstacles::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
+void MovingObstacles::safe_intervals(ConfigurationView q, double since,
+                                     std::vector<Interval>& out) {
+  since = std::max(since, from_);
   unsafe_.clear();
-  point_unsafe(points_near(q, q, from_, kInfinity), q, unsafe_);
-  if (!pieces_.empty()) piece_unsafe(q, unsafe_);
-  complement(unsafe_, from_, out);
+  point_unsafe(points_near(q, q, since, kInfinity), q, unsafe_);
+  if (!pieces_.empty()) piece_unsafe(q, since, unsafe_);
+  complement(unsafe_, since, out);
 }
 
 void MovingObstacles::add(const PointTraffic& traffic, const std::vector<char>* only) {
@@ -146,18 +148,19 @@ void MovingObstacles::point_unsafe(const Points& points, ConfigurationView q,
   }
 }
 
-void MovingObstacles::piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe) {
+void MovingObstacles::piece_unsafe(ConfigurationView q, double since,
+                                   std::vector<Interval>& unsafe) {
   const Aabb here = world_.swept_bounds(robot_, q, q);
   const double probe = world_.scene().timestep;
   for (const Piece& piece : pieces_) {
-    if (!piece.bounds.overlaps(here)) continue;
+    if (piece.t1 <= since || !piece.bounds.overlaps(here)) continue;
     if (std::isinf(piece.t1)) {
       if (!world_.are_clear(robot_, q, piece.robot, piece.from)) {
         unsafe.push_back({piece.t0, kInfinity});
       }
       continue;
     }
-    double t = std::max(piece.t0, from_);
+    double t = std::max(piece.t0, since);
     const double end = piece.t1;
     while (t < end) {
       const auto touch = contact(piece, q, q, t, end);

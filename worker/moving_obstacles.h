@@ -38,8 +38,9 @@ class MovingObstacles {
   // must outlive this. Requires: the robot is a disc or a ball.
   void add(const PointTraffic& traffic, const std::vector<char>* only = nullptr);
 
-  // The times from `from` on at which resting at q is free, in order, disjoint. Empty: never.
-  void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
+  // The times from `since` (s) on, and not before `from`, at which resting at q is free, in order,
+  // disjoint. Empty: never.
+  void safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out);
 
   // The earliest departure in [lo, hi] from which the linear motion from a to b, taking `duration`
   // (s, > 0), is free. nullopt: none was found. For discs and balls exact; for other bodies
@@ -73,7 +74,7 @@ class MovingObstacles {
     return own_distance_ + piece.radius;
   }
   void point_unsafe(const Points& points, ConfigurationView q, std::vector<Interval>& unsafe) const;
-  void piece_unsafe(ConfigurationView q, std::vector<Interval>& unsafe);
+  void piece_unsafe(ConfigurationView q, double since, std::vector<Interval>& unsafe);
   double point_next_departure(const Points& points, const Vec3& a, const Vec3& velocity,
                               double duration, double t) const;
   double last_unsafe_departure(const PointTraffic::Piece& piece, const Vec3& a,

@@ -239,7 +239,7 @@ class Repair {
       }
     }
     std::vector<Interval> safe;
-    team.safe_intervals(task.goal, safe);
+    team.safe_intervals(task.goal, path.end_time(), safe);
     const double hold = std::max(path.end_time(), hold_until(subproblem_, task));
     return std::ranges::any_of(safe, [&](const Interval& interval) {
       return interval.lo <= path.end_time() && interval.hi >= hold;

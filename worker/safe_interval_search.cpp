@@ -75,8 +75,8 @@ class AmongBodies final : public TimedMotions {
   AmongBodies(Team& team, const LocalRoadmap& roadmap)
       : team_(team), roadmap_(roadmap), target_(team.dof()) {}
 
-  void safe_intervals(Node node, std::vector<Interval>& out) override {
-    team_.safe_intervals(roadmap_.configuration(node), out);
+  void safe_intervals(Node node, double since, std::vector<Interval>& out) override {
+    team_.safe_intervals(roadmap_.configuration(node), since, out);
   }
   std::optional<double> earliest_departure(Node from, const LocalRoadmap::Edge& edge, double lo,
                                            double hi) override {
@@ -181,7 +181,7 @@ class Search {
   NodeStates states_of(Node node) {
     NodeStates& known = of_node_[node];
     if (known.first == kNone) {
-      motions_.safe_intervals(node, intervals_);
+      motions_.safe_intervals(node, soonest_at(node), intervals_);
       known.first = static_cast<std::uint32_t>(states_.size());
       known.count = static_cast<std::uint32_t>(intervals_.size());
       for (const Interval& interval : intervals_) states_.push_back({node, interval});
@@ -190,6 +190,13 @@ class Search {
   }
 
   bool is_spent() const { return stop_ || motions_.checks() > checks_end_; }
+
+  // Nothing gets there earlier (s).
+  double soonest_at(Node node) {
+    const ConfigurationView start = roadmap_.configuration(request_.start);
+    team_.nearest_representation(start, roadmap_.configuration(node), target_);
+    return request_.from + team_.duration(start, target_) - MovingObstacles::kSlack;
+  }
 
   double crow_flies(Node node) {
     double& to_go = of_node_[node].to_go;

@@ -111,10 +111,10 @@ void Team::nearest_representation(ConfigurationView a, ConfigurationView b,
   }
 }
 
-void Team::safe_intervals(ConfigurationView q, std::vector<Interval>& out) {
-  obstacles_[0].safe_intervals(part(q, 0), out);
+void Team::safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out) {
+  obstacles_[0].safe_intervals(part(q, 0), since, out);
   for (std::size_t i = 1; i < size(); ++i) {
-    obstacles_[i].safe_intervals(part(q, i), other_);
+    obstacles_[i].safe_intervals(part(q, i), since, other_);
     intersect(out, other_, merged_);
     out.swap(merged_);
   }

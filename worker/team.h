@@ -56,7 +56,7 @@ class Team {
                               std::span<double> out) const;
 
   // As MovingObstacles, for all members at once.
-  void safe_intervals(ConfigurationView q, std::vector<Interval>& out);
+  void safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out);
   std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
                                            double duration, double lo, double hi);
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);

@@ -16,8 +16,10 @@ class TimedMotions {
  public:
   virtual ~TimedMotions() = default;
 
-  // The times (s) at which the node is safe to be at, ascending; the last may be endless.
-  virtual void safe_intervals(LocalRoadmap::Node node, std::vector<Interval>& out) = 0;
+  // The times (s) at which the node is safe to be at, ascending; the last may be endless. What lies
+  // before `since` (s) may be left out.
+  virtual void safe_intervals(LocalRoadmap::Node node, double since,
+                              std::vector<Interval>& out) = 0;
   // The earliest departure (s) within [lo, hi] along an edge from a node; nullopt: there is none.
   virtual std::optional<double> earliest_departure(LocalRoadmap::Node from,
                                                    const LocalRoadmap::Edge& edge, double lo,

@@ -74,7 +74,7 @@ class CornerCutter {
       }
     }
     const double arrival = path.end_time(), until = std::max(arrival, hold_until_);
-    team_.safe_intervals(path.configuration(path.size() - 1), safe_);
+    team_.safe_intervals(path.configuration(path.size() - 1), arrival, safe_);
     return std::ranges::any_of(safe_, [&](const Interval& interval) {
       return interval.lo <= arrival && interval.hi >= until;
     });

@@ -86,7 +86,7 @@ TEST(Constraints, KeepARobotFromANodeWhileItIsForbidden) {
   constraints.add({7, 7, {2, 3}});
   constraints.add({7, 7, {5, 8}});
   std::vector<Interval> safe;
-  constraints.safe_intervals(7, safe);
+  constraints.safe_intervals(7, 0, safe);
   ASSERT_EQ(safe.size(), 3u);
   EXPECT_EQ(safe[0].lo, 1);
   EXPECT_EQ(safe[0].hi, 2);
@@ -94,10 +94,10 @@ TEST(Constraints, KeepARobotFromANodeWhileItIsForbidden) {
   EXPECT_EQ(safe[1].hi, 4);
   EXPECT_EQ(safe[2].lo, 8);
   EXPECT_EQ(safe[2].hi, kInfinity);
-  constraints.safe_intervals(8, safe);
+  constraints.safe_intervals(8, 0, safe);
   ASSERT_EQ(safe.size(), 1u);
   constraints.add({7, 7, {8, kInfinity}});
-  constraints.safe_intervals(7, safe);
+  constraints.safe_intervals(7, 0, safe);
   EXPECT_EQ(safe.size(), 2u);
 }
 

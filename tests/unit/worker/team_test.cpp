@@ -62,7 +62,7 @@ TEST_F(TeamTest, WaitsSafelyOnlyWhenNoMemberIsPassed) {
   Team both = team({{0}, {1}});
   both.avoid({2}, testing::path({{0, {-8, 0, 0}}, {16, {8, 0, 0}}}));
   std::vector<Interval> safe;
-  both.safe_intervals(Configuration{-4, 0, 4, 0}, safe);
+  both.safe_intervals(Configuration{-4, 0, 4, 0}, 0, safe);
   ASSERT_EQ(safe.size(), 3u);  // before the cart, between the two, after
   EXPECT_NEAR(safe[0].hi, 3, 0.2);
   EXPECT_NEAR(safe[1].lo, 5, 0.3);
