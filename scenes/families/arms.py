@@ -7,7 +7,8 @@ from families.family import even, families_of, family, require
 from families.scene import Scene
 
 
-@family("low-manipulator", range(2, 17), spacing=(0.62, "distance of neighbouring bases, m; 0.8 at least for 5 to 7 arms"),
+@family("low-manipulator", range(2, 17),
+        spacing=(0.62, "distance of neighbouring bases, m; at least 0.8 for 5 to 7 arms"),
         lean=(0.9, "first joint's angle to the ring's tangent at both ends, rad"))
 def low_manipulator(n, spacing, lean):
     """Low coordination: a ring of six-joint arms untangles.
