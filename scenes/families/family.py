@@ -56,7 +56,7 @@ class Family:
         name = self.file(n)
         for key, value in values.items():
             if value != self.parameters[key].default:
-                name += f"-{key.replace('_', '-')}-{number(value)}"
+                name += f"-{key}{number(value)}"
         return name, self.build(n, **values)
 
 

@@ -85,8 +85,8 @@ class Evaluate(EvaluationTest):
             self.assertGreater(float(row["time_to_first_plan"]), float(row["planning_time"]))
             self.assertGreaterEqual(float(row["sum_of_costs"]), 0.999 * float(row["lower_bound"]))
             self.assertGreaterEqual(float(row["makespan"]), 0.999 * float(row["bound_makespan"]))
+            self.assertGreaterEqual(int(row["largest_group"]), 1)
             self.assertGreater(float(row["peak_memory"]), 1)
-        self.assertEqual("2", rows[0]["largest_group"])
         self.assertIn("| peer-inlet | arc | 1/1 | 2 |", result.stdout)
 
         # Killed while it wrote a row: what is there of it is not a run.

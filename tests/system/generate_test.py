@@ -82,12 +82,12 @@ class Generate(unittest.TestCase):
     def test_a_parameter_is_part_of_the_name_so_that_no_scene_is_overwritten(self):
         generate("low-mobile", 8, "-o", self.folder)
         generate("low-mobile", 8, "--radius", "0.3", "-o", self.folder)
-        self.assertEqual({"low-mobile-08.yaml", "low-mobile-08-radius-0.3.yaml"},
+        self.assertEqual({"low-mobile-08.yaml", "low-mobile-08-radius0.3.yaml"},
                          {path.name for path in self.folder.iterdir()})
 
     def test_arms_of_other_lengths_have_files_of_their_own(self):
         generate("planar-cross", 4, "--link", "0.25", "-o", self.folder)
-        scene = (self.folder / "peer-planar-cross-004-link-0.25.yaml").read_text()
+        scene = (self.folder / "peer-planar-cross-004-link0.25.yaml").read_text()
         urdf, = self.folder.glob("*.urdf")
         self.assertIn(f"urdf: {urdf.name}", scene)
         self.assertNotIn(urdf.name, os.listdir(SCENES))

@@ -1,4 +1,4 @@
-"""Box plots of a family: the spread of planning time and of cost, a row for each scene and method."""
+"""Box plots of a family: the spread of time and of cost, a row for each scene and method."""
 from evaluation import paper, style, svg
 from evaluation.svg import plt
 

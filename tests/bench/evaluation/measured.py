@@ -2,9 +2,9 @@
 
     measured.py MEGABYTES SECONDS COMMAND...
 
-code (of its exit; negative: the signal that ended it), err (the end of its stderr), wall (s, from its
-start to its end), peak (MB of resident memory), hung (it was killed because it had not ended after
-SECONDS).
+code (of its exit; negative: the signal that ended it), err (the end of its stderr), wall (s, from
+its start to its end), peak (MB of resident memory), hung (it was killed because it had not ended
+after SECONDS).
 
 A process of its own, and a small one: a child's peak counts what its parent had when it was forked.
 """

@@ -1,10 +1,10 @@
 """What the ARC paper published: the numbers that its text and its one table give.
 
-Source: Solis, Motes, Qin, Morales, Amato, "Adaptive Robot Coordination: A Subproblem-based Approach
-for Hybrid Multi-Robot Motion Planning", 2023, section V ("Experiments"): 33 trials of at most 1000 s
-each. Its plots are pictures whose values the text does not give; where there is no number, there is
-None here, and what the text says instead. The paper names neither its machine nor the measures of
-its scenes: ours are modelled on its figures.
+Source: Solis, Motes, Qin, Morales, Amato, "Adaptive Robot Coordination: A Subproblem-based
+Approach for Hybrid Multi-Robot Motion Planning", 2023, section V ("Experiments"): 33 trials of at
+most 1000 s each. Its plots are pictures whose values the text does not give; where there is no
+number, there is None here, and what the text says instead. The paper names neither its machine
+nor the measures of its scenes: ours are modelled on its figures.
 """
 import dataclasses
 

@@ -12,20 +12,21 @@ from evaluation.page import name, number
 from evaluation.targets import seconds
 
 READING = (
-    "Every run is a process of its own; a run counts as solved when accord verify, which trusts no "
-    "planner, has proved its plan free of collisions at every instant. Planning time is the plan's "
-    "own, from the request to the proved plan; time to the first plan is the process's, with reading "
-    "the scene and writing the plan. The lower bound of costs is their sum if nobody had to give "
-    "way. Medians and means are over solved runs; p50 and p99 are over all runs, and a run without a "
-    "plan counts as infinitely slow. Of fewer than 100 runs, p99 is the slowest.")
+    "Every run is a process of its own; a run counts as solved when accord verify, which trusts "
+    "no planner, has proved its plan free of collisions at every instant. Planning time is the "
+    "plan's own, from the request to the proved plan; time to the first plan is the process's, "
+    "with reading the scene and writing the plan. The lower bound of costs is their sum if "
+    "nobody had to give way. Medians and means are over solved runs; p50 and p99 are over all "
+    "runs, and a run without a plan counts as infinitely slow. Of fewer than 100 runs, p99 is "
+    "the slowest.")
 
 
 def write(path, csv_paths, plan_paths=(), scenes_dir=None, accord=None):
     """Writes the report to path. Throws rows.Unusable.
 
     csv_paths: of evaluate; where several hold the same scene, method and seed, the last counts.
-    plan_paths: plans whose timelines are drawn. scenes_dir: where the scenes are, which are drawn by
-    accord; no pictures without either.
+    plan_paths: plans whose timelines are drawn. scenes_dir: where the scenes are, which are drawn
+    by accord; no pictures without either.
     """
     runs = {rows.key(run): run for csv_path in csv_paths for run in _read(csv_path)}
     groups = summary.groups(runs.values())

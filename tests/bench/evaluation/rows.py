@@ -36,8 +36,8 @@ def number(row, column):
 
 
 def family(scene):
-    """A scene's name up to its number of robots: scenes of a family differ in size only."""
-    return re.sub(r"-\d+$", "", scene)
+    """A scene's name without its number of robots: scenes of a family differ in size only."""
+    return re.sub(r"-\d+(?=-|$)", "", scene, count=1)
 
 
 def read(path):

@@ -37,7 +37,7 @@ class Runner:
         self._scenes = {}  # path: its facts
 
     def run(self, scene, method, seed):
-        """A row (see rows.COLUMNS), and a sentence where something is wrong with accord, or None."""
+        """A row (see rows.COLUMNS), and a sentence where accord did something wrong, or None."""
         self._plan_file.unlink(missing_ok=True)
         measured = self._plan(scene, method, seed)
         row = {"scene": scene.stem, "method": method, "seed": seed, "workers": self._limits.workers,
@@ -73,7 +73,7 @@ class Runner:
         return (proof.stdout + proof.stderr).strip() or f"verify: exit {proof.returncode}"
 
     def _scene_facts(self, scene):
-        """Robots, and the least makespan that there can be (s): the longest of the straight ways."""
+        """Robots, and the least makespan that can be (s): the longest of the straight ways."""
         if scene not in self._scenes:
             info = subprocess.run([self._accord, "info", str(scene)], capture_output=True,
                                   text=True, check=False).stdout

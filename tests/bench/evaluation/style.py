@@ -27,7 +27,7 @@ def methods_of(groups):
 
 
 def seconds_axis(axis, limits):
-    """A logarithmic axis over at least a decade, for what is drawn between limits; its new limits."""
+    """Ticks for a logarithmic axis, at least a decade around what is drawn; its new limits."""
     low, high = limits
     if high < 10 * low:
         middle = (low * high) ** 0.5
