@@ -23,9 +23,8 @@ def draw(family, groups):
         _success_line(panels[2], own, from_middle)
         _crosses(panels, own, from_middle)
     panels[0].set_ylim(style.seconds_axis(panels[0].yaxis, panels[0].get_ylim()))
-    if any(group.failures for group in groups):
-        panels[0].axhline(max(group.time_limit for group in groups), color="#888888",
-                          linewidth=0.8, linestyle=(0, (2, 2)))
+    for limit in sorted({group.time_limit for group in groups if group.failures}):
+        panels[0].axhline(limit, color="#888888", linewidth=0.8, linestyle=(0, (2, 2)))
     svg.legend_below(figure, _legend(methods, groups), 9)
     return svg.text_of(figure, f"{family}-robots", f"{family}: planning time, cost over its lower "
                        f"bound and success against the number of robots, a line for each of "
@@ -82,8 +81,9 @@ def _crosses(panels, groups, from_middle):
     for group in groups:
         if not group.solved:
             at = {"color": style.color(group.method), "clip_on": False, **style.CROSS}
-            panels[0].plot(_x(group, from_middle), group.time_limit, **at)
-            panels[1].plot(_x(group, from_middle), panels[1].get_ylim()[1], **at)
+            x = _x(group, 2 * from_middle)  # since all of them are at the same height
+            panels[0].plot(x, group.time_limit, **at)
+            panels[1].plot(x, panels[1].get_ylim()[1], **at)
 
 
 def _legend(methods, groups):

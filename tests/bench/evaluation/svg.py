@@ -11,7 +11,8 @@ plt.rcParams.update({
     "svg.hashsalt": "accord",  # for the same ids every time
     "svg.fonttype": "none",  # text stays text, so that it can be read aloud and searched
     "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans", "Arial", "Helvetica"],
-    "font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.spines.right": False,
+    "font.size": 9, "axes.titlesize": 10, "axes.titlepad": 9,
+    "axes.spines.top": False, "axes.spines.right": False,
     "axes.grid": True, "grid.color": "#e4e4e4", "axes.axisbelow": True, "legend.frameon": False,
     "hatch.linewidth": 0.6})
 
