@@ -177,7 +177,8 @@ class ConstraintTree {
   Interval unsafe_around(const TimedPath& mine, std::size_t k, double time,
                          MovingObstacles& obstacles) const {
     std::vector<Interval> safe;
-    obstacles.safe_intervals(mine.path.configuration(k), mine.path.start_time(), safe);
+    obstacles.safe_intervals(mine.path.configuration(k), mine.path.start_time(), std::nullopt,
+                             safe);
     Interval unsafe{subproblem_.from, kForGood};
     for (const Interval& interval : safe) {
       if (interval.hi <= time) unsafe.lo = std::max(unsafe.lo, interval.hi);

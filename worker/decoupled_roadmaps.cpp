@@ -60,6 +60,35 @@ LocalRoadmap& DecoupledRoadmaps::of(std::size_t task) {
   return entry->roadmap;
 }
 
+void DecoupledRoadmaps::avoid(std::size_t task, RobotId other, const Trajectory& path, double until,
+                              Team& team) {
+  const CollisionWorld& world = workspace_.world();
+  const RobotId robot = subproblem_.tasks[task].robot;
+  if (world.radius(robot) && world.radius(other)) {
+    team.avoid(other, path, until);
+    return;
+  }
+  const LocalRoadmap& roadmap = of(task);
+  auto& bodies = entries_[task]->bodies;
+  auto known =
+      std::ranges::find_if(bodies, [&](const auto& body) { return body->is(other, path, until); });
+  if (known == bodies.end()) {
+    // Of orders tried in turn, only the last paths come again.
+    constexpr std::size_t kMostBodies = 64;
+    if (bodies.size() == kMostBodies) bodies.erase(bodies.begin());
+    bodies.push_back(
+        std::make_shared<MovingBody>(world, robot, other, path, subproblem_.from, until, &roadmap));
+    known = bodies.end() - 1;
+  }
+  team.avoid(*known);
+}
+
+void DecoupledRoadmaps::avoid_outsiders(std::size_t task, Team& team) {
+  for (const Outsider& outsider : subproblem_.outsiders) {
+    avoid(task, outsider.robot, outsider.path, outsider.until, team);
+  }
+}
+
 LocalRoadmap DecoupledRoadmaps::build(const Team& team, const Task& task) const {
   const RobotRoadmap& own = workspace_.roadmap(task.robot);
   const bool is_mobile = workspace_.world().scene().robot(task.robot).model->translations() > 0;

@@ -4,6 +4,7 @@
 // Not thread safe; lives as long as one solution attempt.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,11 @@ class DecoupledRoadmaps {
   void add_samples(std::size_t count) { samples_wanted_ += count; }
 
   LocalRoadmap& of(std::size_t task);
+  // Has a team of that task's robot avoid another robot until `until` (s). What is asked of the
+  // same robot on the same path again is remembered.
+  void avoid(std::size_t task, RobotId other, const Trajectory& path, double until, Team& team);
+  void avoid_outsiders(std::size_t task, Team& team);
+
   // Of the roadmaps that were asked for:
   std::uint64_t samples() const { return samples_; }
   std::uint64_t motion_checks() const;
@@ -34,8 +40,9 @@ class DecoupledRoadmaps {
  private:
   struct Entry {
     LocalRoadmap roadmap;
-    std::size_t samples = 0;        // asked for
-    std::uint64_t next_sample = 0;  // index into the robot's Halton sequence
+    std::size_t samples = 0;                               // asked for
+    std::uint64_t next_sample = 0;                         // index into the robot's Halton sequence
+    std::vector<std::shared_ptr<MovingBody>> bodies = {};  // met so far, for this robot
   };
 
   LocalRoadmap build(const Team& team, const Task& task) const;

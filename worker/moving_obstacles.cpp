@@ -14,11 +14,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortestInterval = 1e-6;  // s
 constexpr double kSlack = MovingObstacles::kSlack;
 
-void interpolate(ConfigurationView a, ConfigurationView b, double s, Configuration& out) {
-  out.resize(a.size());
-  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] + s * (b[k] - a[k]);
-}
-
 // The k for which |offset + k step|^2 <= squared. nullopt: none.
 std::optional<Interval> span_within(const Vec3& offset, const Vec3& step, double squared) {
   const double a = step.squaredNorm(), b = offset.dot(step), c = offset.squaredNorm() - squared;
@@ -59,28 +54,7 @@ void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
     add_points(path, *theirs, until);
     return;
   }
-  const Vec3 room = Vec3::Constant(world_.required_separation());
-  for (std::size_t i = path.segment_at(from_); i < path.size(); ++i) {
-    const bool last = i + 1 == path.size();
-    if (path.time(i) >= until) continue;
-    const ConfigurationView from = path.configuration(i);
-    const ConfigurationView to = last ? from : path.configuration(i + 1);
-    Piece piece{other, path.time(i), last ? until : path.time(i + 1), {}, {}, {}};
-    if (i == 0) piece.t0 = std::min(piece.t0, from_);
-    piece.from.assign(from.begin(), from.end());
-    piece.to.assign(to.begin(), to.end());
-    if (!last && piece.t1 > until) {
-      const double s = (until - path.time(i)) / (piece.t1 - path.time(i));
-      for (std::size_t k = 0; k < piece.to.size(); ++k) {
-        piece.to[k] = piece.from[k] + s * (piece.to[k] - piece.from[k]);
-      }
-      piece.t1 = until;
-    }
-    piece.bounds = world_.swept_bounds(other, piece.from, piece.to);
-    piece.bounds.min -= room;
-    piece.bounds.max += room;
-    pieces_.push_back(std::move(piece));
-  }
+  bodies_.push_back(std::make_shared<MovingBody>(world_, robot_, other, path, from_, until));
 }
 
 void MovingObstacles::add_points(const Trajectory& path, double radius, double until) {
@@ -99,12 +73,22 @@ void MovingObstacles::add_points(const Trajectory& path, double radius, double u
 }
 
 void MovingObstacles::safe_intervals(ConfigurationView q, double since,
+                                     const std::optional<MovingBody::Name>& name,
                                      std::vector<Interval>& out) {
   since = std::max(since, from_);
   unsafe_.clear();
   point_unsafe(points_near(q, q, since, kInfinity), q, unsafe_);
-  if (!pieces_.empty()) piece_unsafe(q, since, unsafe_);
+  if (!bodies_.empty()) {
+    const Aabb here = world_.swept_bounds(robot_, q, q);
+    for (const auto& body : bodies_) body->add_unsafe(q, here, since, name, unsafe_);
+  }
   complement(unsafe_, since, out);
+}
+
+std::uint64_t MovingObstacles::checks() const {
+  std::uint64_t sum = 0;
+  for (const auto& body : bodies_) sum += body->checks();
+  return sum;
 }
 
 void MovingObstacles::add(const PointTraffic& traffic, const std::vector<char>* only) {
@@ -146,72 +130,6 @@ void MovingObstacles::point_unsafe(const Points& points, ConfigurationView q,
     const double hi = std::min(piece->t1, piece->t0 + (-b + root) / a);
     if (lo < hi) unsafe.push_back({lo, hi});
   }
-}
-
-void MovingObstacles::piece_unsafe(ConfigurationView q, double since,
-                                   std::vector<Interval>& unsafe) {
-  const Aabb here = world_.swept_bounds(robot_, q, q);
-  const double probe = world_.scene().timestep;
-  for (const Piece& piece : pieces_) {
-    if (piece.t1 <= since || !piece.bounds.overlaps(here)) continue;
-    if (std::isinf(piece.t1)) {
-      if (!world_.are_clear(robot_, q, piece.robot, piece.from)) {
-        unsafe.push_back({piece.t0, kInfinity});
-      }
-      continue;
-    }
-    double t = std::max(piece.t0, since);
-    const double end = piece.t1;
-    while (t < end) {
-      const auto touch = contact(piece, q, q, t, end);
-      if (!touch) break;
-      // Contact lasts until a probe at rest is clear again; what lies between probes is given up.
-      double clear = std::min(*touch + probe, end);
-      while (clear < end) {
-        const double s = (clear - piece.t0) / (piece.t1 - piece.t0);
-        interpolate(piece.from, piece.to, s, other_from_);
-        ++checks_;
-        if (world_.are_clear(robot_, q, piece.robot, other_from_)) break;
-        clear = std::min(clear + probe, end);
-      }
-      unsafe.push_back({*touch, clear});
-      t = clear;
-    }
-  }
-}
-
-std::optional<Interval> MovingObstacles::share(const Piece& piece, ConfigurationView a,
-                                               ConfigurationView b, double t0, double t1) {
-  const double lo = std::max(t0, piece.t0), hi = std::min(t1, piece.t1);
-  if (lo >= hi) return std::nullopt;
-  const double span = t1 - t0;
-  interpolate(a, b, (lo - t0) / span, mine_from_);
-  interpolate(a, b, (hi - t0) / span, mine_to_);
-  if (std::isinf(piece.t1)) {
-    other_from_ = other_to_ = piece.from;
-  } else {
-    const double length = piece.t1 - piece.t0;
-    interpolate(piece.from, piece.to, (lo - piece.t0) / length, other_from_);
-    interpolate(piece.from, piece.to, (hi - piece.t0) / length, other_to_);
-  }
-  return Interval{lo, hi};
-}
-
-std::optional<double> MovingObstacles::contact(const Piece& piece, ConfigurationView a,
-                                               ConfigurationView b, double t0, double t1) {
-  const auto shared = share(piece, a, b, t0, t1);
-  if (!shared) return std::nullopt;
-  ++checks_;
-  return world_.first_contact(robot_, {mine_from_, mine_to_, shared->lo, shared->hi}, piece.robot,
-                              {other_from_, other_to_, shared->lo, shared->hi});
-}
-
-bool MovingObstacles::touches(const Piece& piece, ConfigurationView a, ConfigurationView b,
-                              double t0, double t1) {
-  if (!share(piece, a, b, t0, t1)) return false;
-  ++checks_;
-  return !world_.motions_are_clear(robot_, mine_from_, mine_to_, piece.robot, other_from_,
-                                   other_to_);
 }
 
 // The earliest departure from t on that is clear of the first piece that departing at t runs into;
@@ -270,16 +188,15 @@ double MovingObstacles::last_unsafe_departure(const PointTraffic::Piece& piece, 
   return piece.t0 + last;
 }
 
-MovingObstacles::Passage MovingObstacles::past_pieces(ConfigurationView a, ConfigurationView b,
-                                                      double t, double duration) {
-  if (pieces_.empty()) return Passage::kClear;
+MovingBody::Passage MovingObstacles::past_bodies(ConfigurationView a, ConfigurationView b, double t,
+                                                 double duration) {
+  if (bodies_.empty()) return MovingBody::Passage::kClear;
   const Aabb bounds = world_.swept_bounds(robot_, a, b);
-  for (const Piece& piece : pieces_) {
-    if (piece.t0 >= t + duration || piece.t1 <= t || !piece.bounds.overlaps(bounds)) continue;
-    if (!touches(piece, a, b, t, t + duration)) continue;
-    return std::isinf(piece.t1) ? Passage::kBlockedForGood : Passage::kBlocked;
+  for (const auto& body : bodies_) {
+    const MovingBody::Passage passage = body->passage(a, b, bounds, t, duration);
+    if (passage != MovingBody::Passage::kClear) return passage;
   }
-  return Passage::kClear;
+  return MovingBody::Passage::kClear;
 }
 
 bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, double t,
@@ -290,7 +207,7 @@ bool MovingObstacles::motion_is_clear(ConfigurationView a, ConfigurationView b, 
     const Vec3 velocity = (to_point(b) - from) / duration;
     if (point_next_departure(points, from, velocity, duration, t) > t) return false;
   }
-  return past_pieces(a, b, t, duration) == Passage::kClear;
+  return past_bodies(a, b, t, duration) == MovingBody::Passage::kClear;
 }
 
 std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, ConfigurationView b,
@@ -310,9 +227,9 @@ std::optional<double> MovingObstacles::earliest_departure(ConfigurationView a, C
         continue;
       }
     }
-    const Passage passage = past_pieces(a, b, t, duration);
-    if (passage == Passage::kClear) return t;
-    if (passage == Passage::kBlockedForGood || t == hi) break;
+    const MovingBody::Passage passage = past_bodies(a, b, t, duration);
+    if (passage == MovingBody::Passage::kClear) return t;
+    if (passage == MovingBody::Passage::kBlockedForGood || t == hi) break;
     t = std::min(t + step, hi);
     step *= 1.5;
   }

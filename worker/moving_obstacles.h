@@ -6,20 +6,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
 #include "common/model/trajectory.h"
+#include "worker/interval.h"
+#include "worker/moving_body.h"
 #include "worker/point_traffic.h"
 
 namespace accord {
-
-// Closed interval of time, s. hi may be infinite.
-struct Interval {
-  double lo;
-  double hi;
-};
 
 class MovingObstacles {
  public:
@@ -34,13 +31,17 @@ class MovingObstacles {
   // infinite), but if it has parked by then, for good: else waiting for it to vanish would seem a
   // way past it. Copies what it needs.
   void add(RobotId other, const Trajectory& path, double until);
+  // Adds a body that was made for this robot. Others may hold it, too, so that it remembers what it
+  // was asked.
+  void add(std::shared_ptr<MovingBody> body) { bodies_.push_back(std::move(body)); }
   // Adds all discs and balls of `traffic`, or `only` those of owners o that only[o] holds for. Both
   // must outlive this. Requires: the robot is a disc or a ball.
   void add(const PointTraffic& traffic, const std::vector<char>* only = nullptr);
 
   // The times from `since` (s) on, and not before `from`, at which resting at q is free, in order,
-  // disjoint. Empty: never.
-  void safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out);
+  // disjoint. Empty: never. `name`: by which bodies remember q.
+  void safe_intervals(ConfigurationView q, double since,
+                      const std::optional<MovingBody::Name>& name, std::vector<Interval>& out);
 
   // The earliest departure in [lo, hi] from which the linear motion from a to b, taking `duration`
   // (s, > 0), is free. nullopt: none was found. For discs and balls exact; for other bodies
@@ -52,18 +53,10 @@ class MovingObstacles {
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
 
   // Geometric queries made so far; none for discs and balls among themselves.
-  std::uint64_t checks() const { return checks_; }
+  std::uint64_t checks() const;
 
  private:
   using Points = std::vector<const PointTraffic::Piece*>;
-
-  // Any robot on a linear motion.
-  struct Piece {
-    RobotId robot;
-    double t0, t1;  // t1 infinite: parked
-    Configuration from, to;
-    Aabb bounds;  // inflated by what must be kept
-  };
 
   void add_points(const Trajectory& path, double radius, double until);
   // The discs and balls that a motion from a to b can meet between `since` and `until` (s). Valid
@@ -74,35 +67,22 @@ class MovingObstacles {
     return own_distance_ + piece.radius;
   }
   void point_unsafe(const Points& points, ConfigurationView q, std::vector<Interval>& unsafe) const;
-  void piece_unsafe(ConfigurationView q, double since, std::vector<Interval>& unsafe);
   double point_next_departure(const Points& points, const Vec3& a, const Vec3& velocity,
                               double duration, double t) const;
   double last_unsafe_departure(const PointTraffic::Piece& piece, const Vec3& a,
                                const Vec3& velocity, double duration) const;
-  // A motion into a robot that has parked stays blocked however late it departs.
-  enum class Passage { kClear, kBlocked, kBlockedForGood };
-  Passage past_pieces(ConfigurationView a, ConfigurationView b, double t, double duration);
-  // Cuts a motion over [t0, t1] and a piece to the time that both share, into the scratch
-  // configurations. nullopt: there is none.
-  std::optional<Interval> share(const Piece& piece, ConfigurationView a, ConfigurationView b,
-                                double t0, double t1);
-  // First contact of a motion over [t0, t1] with a piece, within the time both share.
-  std::optional<double> contact(const Piece& piece, ConfigurationView a, ConfigurationView b,
-                                double t0, double t1);
-  // Whether there is one; sooner told than when.
-  bool touches(const Piece& piece, ConfigurationView a, ConfigurationView b, double t0, double t1);
+  MovingBody::Passage past_bodies(ConfigurationView a, ConfigurationView b, double t,
+                                  double duration);
 
   const CollisionWorld& world_;
   RobotId robot_;
   double from_;
   double own_distance_;  // m: what centres must keep, less the other's radius
   std::vector<PointTraffic::Piece> points_;
-  std::vector<Piece> pieces_;
+  std::vector<std::shared_ptr<MovingBody>> bodies_;
   std::vector<std::pair<const PointTraffic*, const std::vector<char>*>> traffic_;
-  std::uint64_t checks_ = 0;
-  std::vector<Interval> unsafe_;                               // scratch
-  Points near_;                                                // scratch
-  Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
+  std::vector<Interval> unsafe_;  // scratch
+  Points near_;                   // scratch
 };
 
 }  // namespace accord

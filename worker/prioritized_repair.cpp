@@ -23,9 +23,10 @@ constexpr std::size_t kYieldsPerOrder = 2;
 // to be planned. By task.
 class Settled {
  public:
-  Settled(const CollisionWorld& world, const Subproblem& subproblem)
+  Settled(const CollisionWorld& world, const Subproblem& subproblem, DecoupledRoadmaps& roadmaps)
       : world_(world),
         subproblem_(subproblem),
+        roadmaps_(roadmaps),
         await_until_(subproblem.from + kAwaited * (std::min(subproblem.to, subproblem.clear_until) -
                                                    subproblem.from)),
         traffic_(room(world, subproblem)),
@@ -71,7 +72,7 @@ class Settled {
     traffic_.remove(robot(i).value);
     avoid_others(i, traffic_, team);
     for (std::size_t j = 0; j < stands_.size(); ++j) {
-      if (stands_[j] && j != i && !(is_point(i) && is_point(j))) avoid(j, team);
+      if (stands_[j] && j != i && !(is_point(i) && is_point(j))) avoid(i, j, team);
     }
   }
 
@@ -87,7 +88,7 @@ class Settled {
       if (is_point(i) && is_point(j)) {
         firm_[robot(j).index()] = 1;
       } else {
-        avoid(j, team);
+        avoid(i, j, team);
       }
     }
     if (is_point(i)) team.avoid(traffic_, &firm_);
@@ -122,16 +123,16 @@ class Settled {
   }
 
   // The outsiders, and for a disc or ball all of `traffic`.
-  void avoid_others(std::size_t i, const PointTraffic& traffic, Team& team) const {
+  void avoid_others(std::size_t i, const PointTraffic& traffic, Team& team) {
     if (is_point(i)) team.avoid(traffic);
     for (const Outsider& outsider : subproblem_.outsiders) {
       if (is_point(i) && world_.radius(outsider.robot)) continue;
-      team.avoid(outsider.robot, outsider.path, outsider.until);
+      roadmaps_.avoid(i, outsider.robot, outsider.path, outsider.until, team);
     }
   }
 
-  void avoid(std::size_t j, Team& team) const {
-    team.avoid(robot(j), onwards_[j], avoided_until(j));
+  void avoid(std::size_t i, std::size_t j, Team& team) {
+    roadmaps_.avoid(i, robot(j), onwards_[j], avoided_until(j), team);
   }
 
   // For good where it has parked: waiting for it to vanish must not seem a way past it.
@@ -156,6 +157,7 @@ class Settled {
 
   const CollisionWorld& world_;
   const Subproblem& subproblem_;
+  DecoupledRoadmaps& roadmaps_;
   double await_until_;    // s
   PointTraffic traffic_;  // discs and balls: the settled, and starts of those waited for
   PointTraffic starts_;   // and everyone's starts
@@ -174,7 +176,7 @@ class Repair {
         roadmaps_(roadmaps),
         stop_(stop),
         effort_(effort),
-        settled_(world, subproblem),
+        settled_(world, subproblem, roadmaps),
         yielded_(subproblem.tasks.size(), 0) {}
 
   // Settles whom it can. Those it cannot are left().

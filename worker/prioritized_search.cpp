@@ -1,6 +1,7 @@
 #include "worker/prioritized_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -16,6 +17,7 @@ namespace accord {
 namespace {
 
 using Order = std::vector<std::size_t>;
+constexpr double kForGood = std::numeric_limits<double>::infinity();
 
 Order in_given_order(std::size_t robots) {
   Order order(robots);
@@ -40,9 +42,10 @@ class PrioritizedSearch {
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
       const Task& task = subproblem_.tasks[order[rank]];
       Team team(world_, {task.robot}, subproblem_.from);
-      team.avoid_outsiders(subproblem_);
+      roadmaps_.avoid_outsiders(order[rank], team);
       for (std::size_t before = 0; before < rank; ++before) {
-        team.avoid(subproblem_.tasks[order[before]].robot, onwards[before]);
+        roadmaps_.avoid(order[rank], subproblem_.tasks[order[before]].robot, onwards[before],
+                        kForGood, team);
       }
       LocalRoadmap& roadmap = roadmaps_.of(order[rank]);
       const SearchRequest request{DecoupledRoadmaps::start(roadmap),

@@ -76,7 +76,8 @@ class AmongBodies final : public TimedMotions {
       : team_(team), roadmap_(roadmap), target_(team.dof()) {}
 
   void safe_intervals(Node node, double since, std::vector<Interval>& out) override {
-    team_.safe_intervals(roadmap_.configuration(node), since, out);
+    team_.safe_intervals(roadmap_.configuration(node), since, out,
+                         MovingBody::Name{&roadmap_, node});
   }
   std::optional<double> earliest_departure(Node from, const LocalRoadmap::Edge& edge, double lo,
                                            double hi) override {

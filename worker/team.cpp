@@ -111,10 +111,11 @@ void Team::nearest_representation(ConfigurationView a, ConfigurationView b,
   }
 }
 
-void Team::safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out) {
-  obstacles_[0].safe_intervals(part(q, 0), since, out);
+void Team::safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out,
+                          const std::optional<MovingBody::Name>& name) {
+  obstacles_[0].safe_intervals(part(q, 0), since, name, out);
   for (std::size_t i = 1; i < size(); ++i) {
-    obstacles_[i].safe_intervals(part(q, i), since, other_);
+    obstacles_[i].safe_intervals(part(q, i), since, name, other_);
     intersect(out, other_, merged_);
     out.swap(merged_);
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,6 +34,9 @@ class Team {
   // All members have to avoid this robot until `until` (s).
   void avoid(RobotId other, const Trajectory& path,
              double until = std::numeric_limits<double>::infinity());
+  // The team's only robot has to avoid a body that was made for it, which remembers what it is
+  // asked. Requires: a team of one.
+  void avoid(std::shared_ptr<MovingBody> body) { obstacles_[0].add(std::move(body)); }
   // And the discs and balls of `traffic`, or `only` some (see MovingObstacles). Requires: all
   // members are discs or balls.
   void avoid(const PointTraffic& traffic, const std::vector<char>* only = nullptr);
@@ -56,7 +60,8 @@ class Team {
                               std::span<double> out) const;
 
   // As MovingObstacles, for all members at once.
-  void safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out);
+  void safe_intervals(ConfigurationView q, double since, std::vector<Interval>& out,
+                      const std::optional<MovingBody::Name>& name = std::nullopt);
   std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
                                            double duration, double lo, double hi);
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);

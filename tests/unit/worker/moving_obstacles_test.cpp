@@ -22,7 +22,7 @@ TEST(MovingObstacles, LetADiscRestUntilAnotherComesAndAfterItHasPassed) {
   MovingObstacles obstacles(world, kMe, 0);
   obstacles.add(kOther, testing::path({{0, {-10, 0}}, {20, {10, 0}}}), kForever);
   std::vector<Interval> safe;
-  obstacles.safe_intervals(Configuration{0, 0}, 0, safe);
+  obstacles.safe_intervals(Configuration{0, 0}, 0, std::nullopt, safe);
   ASSERT_EQ(safe.size(), 2u);
   EXPECT_NEAR(safe[0].hi, 9, 2e-3);
   EXPECT_NEAR(safe[1].lo, 11, 2e-3);
@@ -38,7 +38,7 @@ TEST(MovingObstacles, AllowNoRestWhereAnotherRobotParks) {
   MovingObstacles obstacles(world, kMe, 0);
   obstacles.add(kOther, testing::path({{0, {5, 0}}, {4.5, {0.5, 0}}}), kForever);
   std::vector<Interval> safe;
-  obstacles.safe_intervals(Configuration{0, 0}, 0, safe);
+  obstacles.safe_intervals(Configuration{0, 0}, 0, std::nullopt, safe);
   ASSERT_EQ(safe.size(), 1u);
   EXPECT_NEAR(safe[0].hi, 4, 2e-3);
 }
@@ -108,7 +108,7 @@ TEST(MovingObstacles, EveryRestAndDepartureTheyAllowIsFreeOfConflicts) {
     obstacles.add(kOther, other, kForever);
     const Configuration a = place(), b = place();
     std::vector<Interval> safe;
-    obstacles.safe_intervals(a, 0, safe);
+    obstacles.safe_intervals(a, 0, std::nullopt, safe);
     for (const Interval& interval : safe) {
       const Trajectory rest = testing::path({{interval.lo, a}});
       EXPECT_FALSE(earliest_contact(world, kMe, rest, kOther, other, interval.lo + 1e-9,
