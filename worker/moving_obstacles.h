@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/geometry/distance_tally.h"
 #include "common/model/trajectory.h"
 #include "worker/point_traffic.h"
 
@@ -99,6 +100,7 @@ class MovingObstacles {
   std::vector<Piece> pieces_;
   std::vector<std::pair<const PointTraffic*, const std::vector<char>*>> traffic_;
   std::uint64_t checks_ = 0;
+  mutable DistanceTally tally_;
   std::vector<Interval> unsafe_;                               // scratch
   Points near_;                                                // scratch
   Configuration mine_from_, mine_to_, other_from_, other_to_;  // scratch
