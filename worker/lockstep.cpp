@@ -48,7 +48,7 @@ struct Lockstep::Push {
 
 Lockstep::Lockstep(const CollisionWorld& world, const Lattice& lattice,
                    const std::vector<Traveller>& travellers, std::uint64_t seed)
-    : world_(world), lattice_(lattice), seed_(seed), weights_(lattice.size(), 1) {
+    : world_(world), lattice_(lattice), seed_(seed), weights_(lattice.size(), 1), tally_(world) {
   double largest = 0;
   std::vector<Node> near;
   for (const Traveller& traveller : travellers) {
@@ -285,6 +285,7 @@ bool Lockstep::are_in_conflict(const Agent& agent, Node to, const Agent& other) 
   const Vec3 offset = agent.place() - other.place();
   Vec3 drift = agent.ways.position(to) - agent.place();
   if (other.is_decided) drift -= other.ways.position(other.next) - other.place();
+  tally_.add(1);
   return first_within(offset, drift, distance_to_keep(agent, other)).has_value();
 }
 
@@ -292,6 +293,7 @@ bool Lockstep::are_in_conflict(const Agent& agent, Node to, const Agent& other) 
 bool Lockstep::is_in_the_way(const Agent& agent, Node to, const Vec3& place,
                              const Agent& other) const {
   const Vec3 drift = agent.ways.position(to) - agent.place();
+  tally_.add(1);
   return first_within(agent.place() - place, drift, distance_to_keep(agent, other)).has_value();
 }
 

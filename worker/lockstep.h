@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/geometry/distance_tally.h"
 #include "worker/lattice.h"
 #include "worker/lattice_ways.h"
 
@@ -85,6 +86,7 @@ class Lockstep {
   std::size_t chain_ = 0;  // of robots that push each other at the moment
   std::uint64_t steps_ = 0;
   std::uint64_t moves_ = 0;
+  mutable DistanceTally tally_;
   std::uint64_t most_moves_ = 0;  // until the end of this step
 };
 

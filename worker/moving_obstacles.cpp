@@ -46,7 +46,8 @@ MovingObstacles::MovingObstacles(const CollisionWorld& world, RobotId robot, dou
     : world_(world),
       robot_(robot),
       from_(from),
-      own_distance_(world.radius(robot).value_or(0) + world.required_separation()) {}
+      own_distance_(world.radius(robot).value_or(0) + world.required_separation()),
+      tally_(world) {}
 
 void MovingObstacles::add(RobotId other, const Trajectory& path, double until) {
   const auto mine = world_.radius(robot_), theirs = world_.radius(other);
@@ -112,6 +113,7 @@ const MovingObstacles::Points& MovingObstacles::points_near(ConfigurationView a,
 void MovingObstacles::point_unsafe(const Points& points, ConfigurationView q,
                                    std::vector<Interval>& unsafe) const {
   if (points.empty()) return;
+  tally_.add(points.size());
   const Vec3 here = to_point(q);
   for (const PointTraffic::Piece* piece : points) {
     const Vec3 offset = piece->position - here;
@@ -144,6 +146,7 @@ double MovingObstacles::point_next_departure(const Points& points, const Vec3& a
     const Vec3 offset =
         piece->position + (lo - piece->t0) * piece->velocity - a - (lo - t) * velocity;
     const Vec3 step = (hi - lo) * (piece->velocity - velocity);
+    tally_.add(1);
     if (!first_within(offset, step, distance_to(*piece))) continue;
     // Whoever is parked in the way now will be so whenever the motion starts.
     if (std::isinf(piece->t1)) return kInfinity;

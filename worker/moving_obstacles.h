@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/geometry/distance_tally.h"
 #include "common/model/trajectory.h"
 #include "worker/interval.h"
 #include "worker/moving_body.h"
@@ -81,6 +82,7 @@ class MovingObstacles {
   std::vector<PointTraffic::Piece> points_;
   std::vector<std::shared_ptr<MovingBody>> bodies_;
   std::vector<std::pair<const PointTraffic*, const std::vector<char>*>> traffic_;
+  mutable DistanceTally tally_;
   std::vector<Interval> unsafe_;  // scratch
   Points near_;                   // scratch
 };

@@ -175,6 +175,9 @@ void SharedRoadmap::connect() {
 
 bool SharedRoadmap::is_free(Node from, const RoadmapEdge& edge) const {
   std::uint8_t proof = proofs_[edge.id].load(std::memory_order_relaxed);
+  if (proof != kUnknown) return proof == kFree;
+  const std::lock_guard lock(provers_[edge.id % provers_.size()]);
+  proof = proofs_[edge.id].load(std::memory_order_relaxed);
   if (proof == kUnknown) {
     // Always asked in the same direction, so that all threads and processes agree.
     const Node a = std::min(from, edge.to), b = std::max(from, edge.to);

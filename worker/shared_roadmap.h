@@ -3,9 +3,11 @@
 // Thread safe.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,9 @@ class SharedRoadmap {
   std::vector<std::size_t> first_edge_;  // by node, and one past the last
   std::uint32_t edge_count_ = 0;
   std::unique_ptr<std::atomic<std::uint8_t>[]> proofs_;  // by edge id
+  // Held while an edge is proved, by edge id: each is proved once, so that what it takes to solve a
+  // scene, all in all, does not depend on who asks when.
+  mutable std::array<std::mutex, 32> provers_;
 };
 
 }  // namespace accord

@@ -56,7 +56,7 @@ void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
   compute_costs(plan);
 }
 
-void fill_statistics(const PlanningStatistics& from, double conflicts_share, Plan& plan) {
+void fill_statistics(const PlanningStatistics& from, std::uint64_t distance_queries, Plan& plan) {
   const auto add = [&](std::string name, auto value) {
     plan.statistics.emplace_back(std::move(name), static_cast<double>(value));
   };
@@ -73,9 +73,10 @@ void fill_statistics(const PlanningStatistics& from, double conflicts_share, Pla
   add("samples", from.effort.samples);
   add("motion_checks", from.effort.motion_checks);
   add("pair_checks", from.pair_checks);
+  add("distance_queries", distance_queries);
   add("lower_bound", from.lower_bound);
   add("initial_paths_time", from.initial_time);
-  add("conflicts_time", conflicts_share);
+  add("conflicts_time", from.conflict_time);
 }
 
 // What solves subproblems: ARC's hierarchy, or the baseline's one solver.
@@ -129,7 +130,8 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
-  fill_statistics(method->statistics(), method->statistics().conflict_time, plan);
+  fill_statistics(method->statistics(), planning.distance_queries() + detection.distance_queries(),
+                  plan);
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});

@@ -147,4 +147,8 @@ std::uint64_t CollisionWorld::distance_queries() const {
   return impl_->ask([](const auto& core) { return core.counter().total(); });
 }
 
+void CollisionWorld::count_distance_queries(std::uint64_t n) const {
+  impl_->ask([n](const auto& core) { core.counter().add(n); });
+}
+
 }  // namespace accord

@@ -125,8 +125,12 @@ class CollisionWorld {
   // For discs and balls, whose configuration is their centre: the radius. nullopt for the rest.
   std::optional<double> radius(RobotId robot) const;
 
-  // Distance queries between convex pieces answered so far, over all threads. For statistics.
+  // Distances between two convex pieces worked out so far, over all threads: closed forms, for
+  // instants or whole motions, and iterations (a mesh counts as one piece). For statistics.
   std::uint64_t distance_queries() const;
+
+  // Adds those that a caller has worked out itself, as discs and balls allow: see DistanceTally.
+  void count_distance_queries(std::uint64_t n) const;
 
  private:
   struct Impl;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/geometry/collision_world.h"
+#include "common/geometry/distance_tally.h"
 #include "common/geometry/point_motion.h"
 
 namespace accord {
@@ -42,13 +43,15 @@ PointState point_state(const Trajectory& path, std::size_t i, double t) {
 }
 
 std::optional<double> earliest_point_contact(const Trajectory& a, const Trajectory& b,
-                                             double distance, double from, double until) {
+                                             double distance, double from, double until,
+                                             DistanceTally& tally) {
   std::size_t i = a.segment_at(from), j = b.segment_at(from);
   double t = from;
   while (true) {
     const double end = std::min({next_time(a, i), next_time(b, j), until});
     const PointState at_a = point_state(a, i, t), at_b = point_state(b, j, t);
     const Vec3 offset = at_b.position - at_a.position;
+    tally.add(1);
     if (std::isinf(end)) {
       return offset.squaredNorm() < distance * distance ? std::optional(t) : std::nullopt;
     }
@@ -116,7 +119,8 @@ std::optional<double> earliest_contact(const CollisionWorld& world, RobotId a,
   const auto radius_a = world.radius(a), radius_b = world.radius(b);
   if (radius_a && radius_b) {
     const double distance = *radius_a + *radius_b + world.required_separation();
-    return earliest_point_contact(path_a, path_b, distance, from, until);
+    DistanceTally tally(world);
+    return earliest_point_contact(path_a, path_b, distance, from, until, tally);
   }
   return Sweep(world, a, path_a, b, path_b).run(from, until);
 }

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "common/geometry/distance_tally.h"
+#include "common/geometry/tolerances.h"
+#include "tests/contract/test_scenes.h"
 
 namespace accord {
 namespace {
@@ -30,6 +36,19 @@ TEST(QueryCounter, LosesNothingWithMoreThreadsThanSlots) {
   count_in_threads(counter, 100, 2000);
   count_in_threads(counter, 100, 2000);
   EXPECT_EQ(counter.total(), 2 * 3U * 100U * 2000U);
+}
+
+TEST(DistanceTally, TellsTheWorldOnceWhenItGoes) {
+  const CollisionWorld world(test_scenes::SceneBuilder(true).build(), kPlanningMargin);
+  {
+    std::optional<DistanceTally> first(world);
+    first->add(3);
+    DistanceTally second(std::move(*first));
+    second.add(4);
+    first.reset();
+    EXPECT_EQ(world.distance_queries(), 0U);
+  }
+  EXPECT_EQ(world.distance_queries(), 7U);
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ TEST_F(EarliestContact, IsFoundBetweenTimestepsWhereSamplingWouldMissIt) {
   EXPECT_NEAR(*time, 0.05 - std::sqrt(0.5) / 400, 1e-5);
 }
 
+TEST_F(EarliestContact, CountsAStretchOnWhichBothMoveLinearlyAsOneDistance) {
+  const Trajectory a = path({{0, {0, 0}}, {1, {1, 0}}, {3, {0, 0}}});
+  const Trajectory b = path({{0, {0, 5}}, {2, {5, 5}}});
+  EXPECT_FALSE(between(a, b));
+  EXPECT_EQ(world_.distance_queries(), 4u) << "until 1 s, 2 s, 3 s, and parked";
+}
+
 TEST_F(EarliestContact, SpansWaypointsOfBothPathsAtDifferentTimes) {
   const Trajectory a = path({{0, {-10, 0}}, {3, {-10, 0}}, {8, {0, 0}}});
   const Trajectory b = path({{0, {10, 0}}, {5, {10, 0}}, {6, {2, 0}}, {30, {0, 0}}});

@@ -29,6 +29,22 @@ TEST(MovingObstacles, LetADiscRestUntilAnotherComesAndAfterItHasPassed) {
   EXPECT_EQ(safe[1].hi, kForever);
 }
 
+TEST(MovingObstacles, CountTheDistancesOfDiscsToo) {
+  const auto scene = testing::SceneBuilder(-20, -20, 20, 20)
+                         .disk(0.5, {0, 0}, {0, 0})
+                         .disk(0.5, {-10, 0}, {10, 0})
+                         .build();
+  const CollisionWorld world(scene, kPlanningMargin);
+  {
+    MovingObstacles obstacles(world, kMe, 0);
+    obstacles.add(kOther, testing::path({{0, {-10, 0}}, {20, {10, 0}}}), kForever);
+    std::vector<Interval> safe;
+    obstacles.safe_intervals(Configuration{0, 0}, safe);
+    EXPECT_EQ(obstacles.checks(), 0u);
+  }
+  EXPECT_EQ(world.distance_queries(), 2u) << "one as it passes, one as it has parked";
+}
+
 TEST(MovingObstacles, AllowNoRestWhereAnotherRobotParks) {
   const auto scene = testing::SceneBuilder(-20, -20, 20, 20)
                          .disk(0.5, {0, 0}, {0, 0})

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barrier>
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <thread>
 
 #include "common/geometry/tolerances.h"
 #include "common/planning/random.h"
@@ -115,6 +117,33 @@ TEST_F(SharedRoadmapTest, CountsTheSameEffortWhoeverHasProvedEdgesBefore) {
   EXPECT_EQ(shortest_path(roadmap_, start, goal, second), path);
   EXPECT_EQ(first.motion_checks, second.motion_checks);
   EXPECT_EQ(first.expansions, second.expansions);
+}
+
+// Two threads that asked for the same edge at the same time would both prove it, and the count of
+// distances would differ from run to run.
+TEST_F(SharedRoadmapTest, ProvesAnEdgeOnceHoweverManyAskForIt) {
+  const auto ask_for_all = [](const SharedRoadmap& roadmap) {
+    for (SharedRoadmap::Node node = 0; node < roadmap.size(); ++node) {
+      for (const RoadmapEdge& edge : roadmap.edges(node)) roadmap.is_free(node, edge);
+    }
+  };
+  const std::uint64_t before = world_.distance_queries();
+  ask_for_all(roadmap_);
+  const std::uint64_t once = world_.distance_queries() - before;
+  EXPECT_GT(once, 0u);
+  for (int round = 0; round < 200; ++round) {
+    const SharedRoadmap fresh(world_, {0}, nodes());
+    const std::uint64_t begin = world_.distance_queries();
+    std::barrier at_once(2);
+    const auto ask = [&] {
+      at_once.arrive_and_wait();
+      ask_for_all(fresh);
+    };
+    std::jthread other(ask);
+    ask();
+    other.join();
+    EXPECT_EQ(world_.distance_queries() - begin, once);
+  }
 }
 
 TEST(SharedRoadmap, HasNoPathWhereTheWallIsWhole) {
