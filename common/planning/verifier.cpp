@@ -45,7 +45,7 @@ Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsi
   const Subject subject{*scene, world, paths_in_order(*scene, plan)};
   std::optional<Violation> earliest = check_robots(subject, threads);
   const TimeSlabs slabs(subject);
-  PairsResult pairs = check_pairs(subject, slabs, threads);
+  PairsResult pairs = check_pairs(subject, slabs, threads, beyond == Beyond::kSeparations);
   if (pairs.violation && (!earliest || pairs.violation->time < earliest->time)) {
     earliest = std::move(pairs.violation);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <tuple>
 
 #include "common/planning/verifier_parallel.h"
 #include "common/planning/verifier_separation.h"
@@ -50,23 +51,51 @@ std::optional<double> first_contact(const Subject& subject, Pair pair, double be
   return contact;
 }
 
-SlabResult check_slab(const Subject& subject, const TimeSlabs& slabs, std::size_t slab) {
-  SlabResult result;
+// The earliest contact of the pairs during a slab; the first pair's where several are as early.
+std::optional<Contact> earliest_contact(const Subject& subject, const std::vector<Pair>& pairs,
+                                        double begin, double until) {
+  std::optional<Contact> earliest;
   PairState from;
   PairState to;
-  const double begin = slabs.begin(slab);
-  double until = slabs.end(slab);
-  for (const Pair pair : slabs.near_pairs(slab, subject.world.required_separation())) {
-    from.move_to(subject.path(pair.first), subject.path(pair.second), begin);
-    result.separation = std::min(
-        result.separation,
-        subject.world.separation(pair.first, from.a, pair.second, from.b, result.separation));
+  for (const Pair pair : pairs) {
     const std::optional<double> contact = first_contact(subject, pair, begin, until, from, to);
-    if (!contact || (result.contact && *contact >= result.contact->time)) continue;
-    result.contact = Contact{*contact, pair};
+    if (!contact || (earliest && *contact >= earliest->time)) continue;
+    earliest = Contact{*contact, pair};
     if (*contact <= begin) break;
     until = *contact;  // later contacts of other pairs do not matter
   }
+  return earliest;
+}
+
+// The smallest distance of any of the pairs at an instant, at most the cutoff.
+double smallest_separation(const Subject& subject, const std::vector<Pair>& pairs, double t) {
+  double smallest = kSeparationCutoff;
+  PairState state;
+  for (const Pair pair : pairs) {
+    state.move_to(subject.path(pair.first), subject.path(pair.second), t);
+    smallest = std::min(
+        smallest, subject.world.separation(pair.first, state.a, pair.second, state.b, smallest));
+  }
+  return smallest;
+}
+
+SlabResult check_slab(const Subject& subject, const TimeSlabs& slabs, std::size_t slab,
+                      bool sample) {
+  SlabResult result;
+  slabs.for_each_part(slab, subject.world.required_separation(),
+                      [&](double begin, double end, std::vector<Pair>& pairs) {
+                        if (sample) {
+                          result.separation = std::min(result.separation,
+                                                       smallest_separation(subject, pairs, begin));
+                        }
+                        if (!earliest_contact(subject, pairs, begin, end)) return true;
+                        // Which pair is named must not depend on how the broad phase went about it.
+                        std::ranges::sort(pairs, [](const Pair& a, const Pair& b) {
+                          return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+                        });
+                        result.contact = earliest_contact(subject, pairs, begin, end);
+                        return false;
+                      });
   return result;
 }
 
@@ -106,14 +135,15 @@ Violation violation_of(const Subject& subject, const Contact& contact) {
 
 }  // namespace
 
-PairsResult check_pairs(const Subject& subject, const TimeSlabs& slabs, unsigned threads) {
+PairsResult check_pairs(const Subject& subject, const TimeSlabs& slabs, unsigned threads,
+                        bool sample) {
   std::vector<SlabResult> results(slabs.count());
   // Slabs after one with a contact need not be looked at; those before it always are, so that the
   // earliest contact does not depend on the threads.
   std::atomic<std::size_t> first_with_contact = std::numeric_limits<std::size_t>::max();
   parallel_for(slabs.count(), threads, [&](std::size_t slab) {
     if (slab > first_with_contact) return;
-    results[slab] = check_slab(subject, slabs, slab);
+    results[slab] = check_slab(subject, slabs, slab, sample);
     if (!results[slab].contact) return;
     std::size_t known = first_with_contact;
     while (slab < known && !first_with_contact.compare_exchange_weak(known, slab)) {

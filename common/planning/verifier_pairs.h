@@ -13,11 +13,12 @@ namespace accord::verification {
 struct PairsResult {
   std::optional<Violation> violation;  // the earliest; the lowest robots where several are
   // The smallest distance between two robots that was met at the slabs' beginnings, at most
-  // kSeparationCutoff: a bound from above on the smallest there is.
+  // kSeparationCutoff: a bound from above on the smallest there is. The cutoff unless `sample`.
   double sampled_separation;
 };
 
 // The same result for any number of threads.
-PairsResult check_pairs(const Subject& subject, const TimeSlabs& slabs, unsigned threads);
+PairsResult check_pairs(const Subject& subject, const TimeSlabs& slabs, unsigned threads,
+                        bool sample);
 
 }  // namespace accord::verification

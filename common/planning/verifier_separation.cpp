@@ -106,14 +106,13 @@ std::optional<PairClosest> closest_by_bisection(const Subject& subject,
   return PairClosest{*closest, stretches[closest->item].pair};
 }
 
-// The closest pair during one slab, of those that come closer than `upper`.
-std::optional<PairClosest> closest_in_slab(const Subject& subject, const TimeSlabs& slabs,
-                                           std::size_t slab, double upper) {
-  const double begin = slabs.begin(slab);
-  const double end = slabs.end(slab);
+// The closest of the pairs from begin to end, of those that come closer than `upper`, within a
+// budget of queries.
+std::optional<PairClosest> closest_of(const Subject& subject, const std::vector<Pair>& pairs,
+                                      double begin, double end, double upper, std::size_t budget) {
   std::optional<PairClosest> best;
   std::vector<Stretch> stretches;  // of pairs that have no closed form
-  for (const Pair pair : slabs.near_pairs(slab, upper)) {
+  for (const Pair pair : pairs) {
     const std::optional<double> radius_a = subject.world.radius(pair.first);
     const std::optional<double> radius_b = subject.world.radius(pair.second);
     if (radius_a && radius_b) {
@@ -128,9 +127,21 @@ std::optional<PairClosest> closest_in_slab(const Subject& subject, const TimeSla
                      });
   }
   if (best) upper = std::min(upper, best->closest.distance);
-  const auto other =
-      closest_by_bisection(subject, stretches, upper, share_of_budget(slabs.count()));
+  const auto other = closest_by_bisection(subject, stretches, upper, budget);
   if (other) keep_lower(best, other->closest, other->pair);
+  return best;
+}
+
+// The closest pair during one slab, of those that come closer than `upper`.
+std::optional<PairClosest> closest_in_slab(const Subject& subject, const TimeSlabs& slabs,
+                                           std::size_t slab, double upper) {
+  std::optional<PairClosest> best;
+  slabs.for_each_part(slab, upper, [&](double begin, double end, std::vector<Pair>& pairs) {
+    const double below = best ? std::min(upper, best->closest.distance) : upper;
+    const auto here = closest_of(subject, pairs, begin, end, below, share_of_budget(slabs.count()));
+    if (here) keep_lower(best, here->closest, here->pair);
+    return true;
+  });
   return best;
 }
 

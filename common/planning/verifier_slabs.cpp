@@ -8,7 +8,8 @@ namespace accord::verification {
 namespace {
 
 // Enough for hours of motion; more would only cost memory for the slabs' results.
-constexpr double kMaxSlabs = 20000;
+constexpr double kMostSlabs = 20000;
+constexpr double kWaypointsPerSlab = 4;
 
 double size_of(const Aabb& box) {
   return (box.max - box.min).maxCoeff();
@@ -50,9 +51,6 @@ std::vector<Pair> overlapping(const std::vector<Aabb>& boxes) {
           {RobotId{std::min(order[i], order[j])}, RobotId{std::max(order[i], order[j])}});
     }
   }
-  std::ranges::sort(pairs, [](const Pair& a, const Pair& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
   return pairs;
 }
 
@@ -62,8 +60,12 @@ TimeSlabs::TimeSlabs(const Subject& subject) : subject_(subject), end_(subject.e
   if (end_ <= 0) end_ = 1;  // nobody moves; any stretch of time shows it
   double travelled = 0;
   double sizes = 0;
+  double waypoints = 0;
+  boxes_.reserve(subject.robots());
   for (std::uint32_t r = 0; r < subject.robots(); ++r) {
     const Trajectory& path = subject.path(RobotId{r});
+    boxes_.emplace_back(subject.world, RobotId{r}, path);
+    waypoints += static_cast<double>(path.size());
     const ConfigurationView rest = path.configuration(0);
     sizes += size_of(subject.world.swept_bounds(RobotId{r}, rest, rest));
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -71,40 +73,84 @@ TimeSlabs::TimeSlabs(const Subject& subject) : subject_(subject), end_(subject.e
           travel(subject.world, RobotId{r}, path.configuration(i), path.configuration(i + 1));
     }
   }
-  const double slabs = sizes > 0 ? std::ceil(travelled / sizes) : 1;
-  count_ = static_cast<std::size_t>(std::clamp(slabs, 1.0, kMaxSlabs));
+  const double each = waypoints / static_cast<double>(subject.robots());
+  count_ = static_cast<std::size_t>(std::clamp(each / kWaypointsPerSlab, 1.0, kMostSlabs));
+  // No further than to parts in which a robot moves about its own size, on average.
+  const double sizes_per_slab = travelled / std::max(sizes, 1e-9) / static_cast<double>(count_);
+  halvings_ = static_cast<unsigned>(std::ceil(std::log2(std::clamp(sizes_per_slab, 1.0, 1e6))));
 }
 
 double TimeSlabs::begin(std::size_t slab) const {
-  return end_ * static_cast<double>(slab) / static_cast<double>(count_);
+  return slab == count_ ? end_ : end_ * static_cast<double>(slab) / static_cast<double>(count_);
 }
 
-double TimeSlabs::end(std::size_t slab) const {
-  return slab + 1 == count_ ? end_ : begin(slab + 1);
+void TimeSlabs::for_each_part(std::size_t slab, double distance, const Visit& visit) const {
+  const double from = begin(slab), until = begin(slab + 1);
+  Pairs pairs = near_pairs(from, until, distance);
+  descend(from, until, halvings_, pairs, distance, visit);
 }
 
-std::vector<Pair> TimeSlabs::near_pairs(std::size_t slab, double distance) const {
+// An estimate of how many stretches on which both robots move linearly the pairs have.
+double TimeSlabs::looks(const Pairs& pairs, double begin, double end) const {
+  double sum = 0;
+  const auto waypoints = [&](RobotId robot) {
+    const auto& times = subject_.path(robot).times();
+    const auto first = std::ranges::upper_bound(times, begin);
+    return static_cast<double>(std::lower_bound(first, times.end(), end) - first);
+  };
+  // Every so many pairs stand for all.
+  const std::size_t step = 1 + pairs.size() / 64;
+  for (std::size_t i = 0; i < pairs.size(); i += step) {
+    sum += static_cast<double>(step) * (1 + waypoints(pairs[i].first) + waypoints(pairs[i].second));
+  }
+  return sum;
+}
+
+// To box what a robot sweeps costs about as much as a look at a pair.
+bool TimeSlabs::descend(double begin, double end, unsigned halvings, Pairs& pairs, double distance,
+                        const Visit& visit) const {
+  constexpr double kFew = 0.5, kMany = 300;  // looks a robot
+  const auto robots = static_cast<double>(subject_.robots());
+  const double middle = 0.5 * (begin + end);
+  const double whole = looks(pairs, begin, end);
+  if (halvings == 0 || whole <= kFew * robots || !(begin < middle && middle < end)) {
+    return visit(begin, end, pairs);
+  }
+  Pairs before = still_near(pairs, begin, middle, distance);
+  Pairs after = still_near(pairs, middle, end, distance);
+  const double parts = looks(before, begin, middle) + looks(after, middle, end);
+  if (whole <= kMany * robots && parts + robots >= whole) return visit(begin, end, pairs);
+  pairs = {};  // memory that is not needed further down
+  return descend(begin, middle, halvings - 1, before, distance, visit) &&
+         descend(middle, end, halvings - 1, after, distance, visit);
+}
+
+TimeSlabs::Pairs TimeSlabs::near_pairs(double begin, double end, double distance) const {
   std::vector<Aabb> boxes;
-  boxes.reserve(subject_.robots());
-  for (std::uint32_t r = 0; r < subject_.robots(); ++r) {
-    boxes.push_back(inflated(swept_box(RobotId{r}, begin(slab), end(slab)), distance / 2));
+  boxes.reserve(boxes_.size());
+  for (const PathBoxes& path : boxes_) {
+    boxes.push_back(inflated(path.over(begin, end), distance / 2));
   }
   return overlapping(boxes);
 }
 
-Aabb TimeSlabs::swept_box(RobotId id, double t0, double t1) const {
-  const Trajectory& path = subject_.path(id);
-  Configuration from = path.at(t0);
-  Configuration to(path.dof());
-  Aabb box = subject_.world.swept_bounds(id, from, from);
-  if (t0 >= path.end_time()) return box;
-  for_each_stretch(path, path, t0, t1, [&](double, double until) {
-    path.at(until, to);
-    box.merge(subject_.world.swept_bounds(id, from, to));
-    from.swap(to);
-    return true;
-  });
-  return box;
+TimeSlabs::Pairs TimeSlabs::still_near(const Pairs& pairs, double begin, double end,
+                                       double distance) const {
+  std::vector<Aabb> boxes(boxes_.size());
+  std::vector<char> has_box(boxes_.size(), 0);
+  const auto box = [&](RobotId robot) -> const Aabb& {
+    Aabb& own = boxes[robot.index()];
+    if (!has_box[robot.index()]) {
+      own = inflated(boxes_[robot.index()].over(begin, end), distance / 2);
+      has_box[robot.index()] = 1;
+    }
+    return own;
+  };
+  Pairs near;
+  for (const Pair pair : pairs) {
+    if (box(pair.first).overlaps(box(pair.second))) near.push_back(pair);
+  }
+  return near;
 }
 
 }  // namespace accord::verification

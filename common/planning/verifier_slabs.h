@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include "common/planning/verifier_path_boxes.h"
 #include "common/planning/verifier_subject.h"
 
 namespace accord::verification {
@@ -17,24 +19,35 @@ struct Pair {
 
 class TimeSlabs {
  public:
-  // Slabs are so short that a robot moves about its own size in one, on average.
+  // Slabs are so short that paths have a few waypoints in one.
   explicit TimeSlabs(const Subject& subject);
 
   // The slabs cover [0, subject.end()]; after that every robot is parked where the last slab ends.
   std::size_t count() const { return count_; }
-  double begin(std::size_t slab) const;  // s
-  double end(std::size_t slab) const;    // s
 
-  // The pairs that may come closer than `distance` (m) during the slab, in ascending order.
-  // Thread safe.
-  std::vector<Pair> near_pairs(std::size_t slab, double distance) const;
+  // Told of a part of a slab, from begin to end (s), and the pairs that may come closer than the
+  // distance during it, in no particular order, the same in every run. Whether to go on.
+  using Visit = std::function<bool(double begin, double end, std::vector<Pair>& pairs)>;
+  // Visits the parts of a slab, in the order of time. Slabs are halved where that rules out so many
+  // pairs that it pays. Thread safe.
+  void for_each_part(std::size_t slab, double distance, const Visit& visit) const;
 
  private:
-  Aabb swept_box(RobotId id, double t0, double t1) const;
+  using Pairs = std::vector<Pair>;
+
+  double begin(std::size_t slab) const;  // s
+  Pairs near_pairs(double begin, double end, double distance) const;
+  // Of the pairs given those that are near in [begin, end].
+  Pairs still_near(const Pairs& pairs, double begin, double end, double distance) const;
+  double looks(const Pairs& pairs, double begin, double end) const;
+  bool descend(double begin, double end, unsigned halvings, Pairs& pairs, double distance,
+               const Visit& visit) const;
 
   const Subject& subject_;
-  double end_;
-  std::size_t count_;
+  std::vector<PathBoxes> boxes_;  // by RobotId
+  double end_;                    // s
+  std::size_t count_ = 1;
+  unsigned halvings_ = 0;  // of a slab, at most
 };
 
 }  // namespace accord::verification

@@ -75,10 +75,11 @@ BENCHMARK(rescan_one)->Name("conflicts/rescan-1-of-1000")->Unit(benchmark::kMicr
 // Everyone's path filed, and everyone's neighbours asked for in every slab, nobody compared.
 void broad_phase(benchmark::State& state) {
   constexpr double kSlab = 1.5, kCell = 3;  // s, m: about what ConflictBoard chooses
+  const Aabb area{Vec3(-100, -100, 0), Vec3(100, 100, 0)};
   const Fleet fleet;
   std::size_t near = 0;
   for ([[maybe_unused]] auto _ : state) {
-    SpaceTimeGrid grid(fleet.world, kSlab, kCell);
+    SpaceTimeGrid grid(fleet.world, kSlab, area, kCell);
     for (std::uint32_t r = 0; r < fleet.size(); ++r) grid.place({r}, fleet.schedule.path({r}), 0);
     std::vector<RobotId> neighbours;
     near = 0;

@@ -39,7 +39,7 @@ TEST(MovingObstacles, CountTheDistancesOfDiscsToo) {
     MovingObstacles obstacles(world, kMe, 0);
     obstacles.add(kOther, testing::path({{0, {-10, 0}}, {20, {10, 0}}}), kForever);
     std::vector<Interval> safe;
-    obstacles.safe_intervals(Configuration{0, 0}, safe);
+    obstacles.safe_intervals(Configuration{0, 0}, 0, std::nullopt, safe);
     EXPECT_EQ(obstacles.checks(), 0u);
   }
   EXPECT_EQ(world.distance_queries(), 2u) << "one as it passes, one as it has parked";
