@@ -17,6 +17,9 @@ constexpr double kOwnTimesForLocal = 3.0;
 // crowd.
 constexpr std::size_t kLocalTeam = 4;
 
+// Horizons of crowds that the board looks ahead, beyond the earliest conflict.
+constexpr double kReach = 2;
+
 // The levels take longer the larger the crowd, for each of its robots: beyond this many, seconds.
 constexpr std::size_t kLargestCrowd = 300;
 // So many mobile robots around a team that cannot get by them are a crowd with it.
@@ -51,6 +54,17 @@ std::set<RobotId> entangled_before(double horizon, std::set<RobotId> team,
 }
 
 }  // namespace
+
+double Adaptation::reach() const {
+  Growth crowd;
+  crowd.crowd = true;
+  double longest = 0;
+  for (std::uint32_t robot = 0; robot < schedule_.size(); ++robot) {
+    const auto window = factory_.window({{robot}, {robot}, 0}, crowd);
+    longest = std::max(longest, window.horizon);
+  }
+  return kReach * longest;
+}
 
 Growth Adaptation::growth_of(const Conflict& conflict, const ConflictBoard& board) const {
   const auto known = stages_.find({conflict.first, conflict.second});

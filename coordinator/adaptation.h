@@ -40,6 +40,9 @@ class Adaptation {
   bool grow(const Conflict& conflict, const Subproblem& subproblem,
             const std::vector<RobotId>& in_the_way, const ConflictBoard& board);
 
+  // How far beyond the earliest conflict (s) others matter for how it is resolved, usually.
+  double reach() const;
+
   std::uint64_t windows_grown() const { return windows_grown_; }
   std::uint64_t robots_taken_in() const { return robots_taken_in_; }
 

@@ -15,13 +15,19 @@ namespace {
 // Commits a robot may be part of on average before the search is called off: rounds then only push
 // the same conflicts ahead of themselves.
 constexpr std::uint64_t kCommitsPerRobot = 400;
+// Conflicts that are known at a time, at least: enough for many workers. All of a small problem's.
+constexpr std::size_t kEnoughConflicts = 64;
+constexpr std::size_t kRobotsPerConflict = 4;
 
 }  // namespace
 
 Outcome Arc::resolve(ConflictBoard& board) {
   const std::uint64_t most_commits = kCommitsPerRobot * (schedule_.size() + 10);
-  while (!board.empty()) {
+  const std::size_t enough = std::max(kEnoughConflicts, schedule_.size() / kRobotsPerConflict);
+  const double reach = adaptation_.reach();
+  while (board.look_ahead(enough, reach)) {
     if (stop_) return stopped(scene(), board);
+    statistics_.conflicts_found = board.found();
     report(Progress::Phase::kConflicts, schedule_.size());
     std::vector<Job> jobs = choose(board);
     ++statistics_.rounds;
@@ -41,7 +47,7 @@ Outcome Arc::resolve(ConflictBoard& board) {
         return unresolved(scene(), job.conflict, job.subproblem);
       }
     }
-    if (!board.empty() && statistics_.conflicts_resolved > most_commits) {
+    if (board.size() > 0 && statistics_.conflicts_resolved > most_commits) {
       return given_up(scene(), board, statistics_.conflicts_resolved);
     }
   }
@@ -59,10 +65,8 @@ void Arc::commit(const Job& job, ConflictBoard& board) {
   for (const Task& task : job.subproblem.tasks) {
     if (schedule_.version(task.robot) != task.version) changed.push_back(task.robot);
   }
-  const std::size_t before = board.size();
   board.update(changed, job.subproblem.from);
   ++statistics_.solved_by[job.resolution.solver];
-  statistics_.conflicts_found += board.size() > before ? board.size() - before : 0;
   ++statistics_.conflicts_resolved;
 }
 

@@ -60,21 +60,51 @@ ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedu
       grid_(empty_grid(world, schedule)),
       by_robot_(schedule.size()),
       is_done_(schedule.size(), 0) {
+  for (std::uint32_t r = 0; r < schedule.size(); ++r) grid_.place({r}, schedule.path({r}), 0);
+}
+
+bool ConflictBoard::look_ahead(std::size_t enough, double reach) {
   std::vector<RobotId> all;
-  for (std::uint32_t r = 0; r < schedule.size(); ++r) all.push_back({r});
-  update(all, 0);
+  while (looked_ < grid_.slabs()) {
+    if (!by_time_.empty() && by_time_.size() >= enough &&
+        grid_.slab_start(looked_) >= by_time_.begin()->time + reach) {
+      break;
+    }
+    if (all.empty()) {
+      for (std::uint32_t r = 0; r < schedule_.size(); ++r) all.push_back({r});
+    }
+    const std::size_t before = by_time_.size();
+    scan(all, grid_.slab_start(looked_), looked_, looked_ + 1);
+    found_ += by_time_.size() - before;
+    ++looked_;
+  }
+  return !by_time_.empty();
+}
+
+bool ConflictBoard::look_at_all() {
+  return look_ahead(std::numeric_limits<std::size_t>::max(), 0);
 }
 
 void ConflictBoard::update(const std::vector<RobotId>& changed, double from) {
+  const bool has_looked_at_all = looked_ == grid_.slabs();
+  const std::size_t before = by_time_.size();
   for (const RobotId robot : changed) {
     forget(robot, from);
     grid_.place(robot, schedule_.path(robot), from);
   }
-  for (const RobotId robot : changed) {
-    scan(robot, from);
+  // Those who have not changed are parked where the grid has become longer.
+  if (has_looked_at_all) looked_ = grid_.slabs();
+  scan(changed, from, grid_.slab_of(from), looked_);
+  if (by_time_.size() > before) found_ += by_time_.size() - before;
+}
+
+void ConflictBoard::scan(const std::vector<RobotId>& robots, double from, std::size_t first_slab,
+                         std::size_t last_slab) {
+  for (const RobotId robot : robots) {
+    scan(robot, from, first_slab, last_slab);
     is_done_[robot.index()] = 1;  // pairs with it are scanned from its side
   }
-  for (const RobotId robot : changed) is_done_[robot.index()] = 0;
+  for (const RobotId robot : robots) is_done_[robot.index()] = 0;
 }
 
 void ConflictBoard::forget(RobotId robot, double from) {
@@ -87,7 +117,8 @@ void ConflictBoard::forget(RobotId robot, double from) {
   });
 }
 
-void ConflictBoard::scan(RobotId robot, double from) {
+void ConflictBoard::scan(RobotId robot, double from, std::size_t first_slab,
+                         std::size_t last_slab) {
   // Of a pair the earliest conflict counts: those that have one are done.
   std::vector<RobotId> done;
   const auto set_done = [&](RobotId other) {
@@ -97,7 +128,7 @@ void ConflictBoard::scan(RobotId robot, double from) {
   };
   for (const WithOther& own : by_robot_[robot.index()]) set_done(own.other);
   std::vector<RobotId> neighbours;
-  for (std::size_t slab = grid_.slab_of(from); slab < grid_.slabs(); ++slab) {
+  for (std::size_t slab = first_slab; slab < last_slab; ++slab) {
     grid_.neighbours(robot, slab, neighbours);
     const double begin = std::max(from, grid_.slab_start(slab));
     const bool last = slab + 1 == grid_.slabs();

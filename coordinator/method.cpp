@@ -21,8 +21,8 @@ Outcome Method::run() {
   if (auto failed = plan_initial_paths()) return *failed;
   const Stopwatch watch;
   ConflictBoard board(detection_, schedule_);
-  statistics_.conflicts_found = board.size();
-  Outcome outcome = board.empty() ? Outcome{PlanStatus::kSolved, ""} : resolve(board);
+  Outcome outcome = resolve(board);
+  statistics_.conflicts_found = board.found();
   statistics_.pair_checks = board.pair_checks();
   statistics_.conflict_time = watch.seconds();
   return outcome;

@@ -63,7 +63,7 @@ class Method {
   PlanningStatistics statistics_;
 
  private:
-  // Makes the schedule free of the conflicts on the board. Requires: there are some.
+  // Makes the schedule free of conflicts. The board has looked at nothing yet.
   virtual Outcome resolve(ConflictBoard& board) = 0;
   std::optional<Outcome> plan_initial_paths();
 

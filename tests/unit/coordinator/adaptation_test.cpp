@@ -44,6 +44,7 @@ class AdaptationTest : public ::testing::Test {
       schedule_->set_initial({id}, testing::path({{0, robot.start}, {length, robot.goal}}), "own");
     }
     board_.emplace(*world_, *schedule_);
+    board_->look_at_all();
     factory_.emplace(*world_, 1);
     adaptation_.emplace(*factory_, *schedule_);
   }

@@ -63,6 +63,7 @@ TEST(ConflictBoard, AgreesWithLookingAtAllPairsAfterEveryChange) {
     schedule.set_initial({r}, wander(random, 0, Trajectory(2)), "test");
   }
   ConflictBoard board(world, schedule);
+  board.look_at_all();
   expect_same(board.conflicts(), all_pairs(world, schedule));
   for (int change = 0; change < 25; ++change) {
     const double from = random.uniform(0, 10);
@@ -76,6 +77,36 @@ TEST(ConflictBoard, AgreesWithLookingAtAllPairsAfterEveryChange) {
     board.update(changed, from);
     expect_same(board.conflicts(), all_pairs(world, schedule));
   }
+}
+
+TEST(ConflictBoard, LooksNoFurtherAheadThanItIsAskedTo) {
+  testing::SceneBuilder builder(-20, -20, 20, 20);
+  for (std::uint32_t r = 0; r < kRobots; ++r) builder.disk(0.5, {0, 0}, {0, 0});
+  const auto scene = builder.build();
+  const CollisionWorld world(scene, kPlanningMargin);
+  RandomStream random(12);
+  Schedule schedule(scene);
+  for (std::uint32_t r = 0; r < kRobots; ++r) {
+    schedule.set_initial({r}, wander(random, 0, Trajectory(2)), "test");
+  }
+  const std::vector<Conflict> all = all_pairs(world, schedule);
+  ASSERT_GT(all.size(), 6U);
+  ConflictBoard board(world, schedule);
+  EXPECT_TRUE(board.look_ahead(3, 0));
+  EXPECT_GE(board.size(), 3U);
+  EXPECT_LT(board.size(), all.size());
+  std::size_t known = board.size();
+  expect_same(board.conflicts(), {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(known)});
+  // A change within what it has seen, and one beyond.
+  for (const double from : {0.0, all.back().time}) {
+    schedule.set_initial({0}, wander(random, from, schedule.path({0})), "test");
+    board.update({{0}}, from);
+    const std::vector<Conflict> now = all_pairs(world, schedule);
+    known = board.size();
+    expect_same(board.conflicts(), {now.begin(), now.begin() + static_cast<std::ptrdiff_t>(known)});
+  }
+  board.look_at_all();
+  expect_same(board.conflicts(), all_pairs(world, schedule));
 }
 
 }  // namespace
