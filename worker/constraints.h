@@ -27,6 +27,7 @@ class Constraints final : public TimedMotions {
   void safe_intervals(LocalRoadmap::Node node, double since, std::vector<Interval>& out) override;
   std::optional<double> earliest_departure(LocalRoadmap::Node from, const LocalRoadmap::Edge& edge,
                                            double lo, double hi) override;
+  bool are_cheap() const override { return true; }
   std::uint64_t checks() const override { return 0; }  // no geometry
 
  private:

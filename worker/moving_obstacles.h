@@ -53,6 +53,9 @@ class MovingObstacles {
   // Whether the linear motion from a at t to b at t + duration is free.
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
 
+  // Whether there are only discs and balls to avoid, by one: answers are closed forms.
+  bool is_of_points() const { return bodies_.empty(); }
+
   // Geometric queries made so far; none for discs and balls among themselves.
   std::uint64_t checks() const;
 

@@ -56,7 +56,7 @@ struct Open {
   bool operator<(const Open& other) const {
     if (bound != other.bound) return bound > other.bound;
     if (to_go != other.to_go) return to_go > other.to_go;
-    if (step != other.step) return step > other.step;
+    if (step != other.step) return step < other.step;
     return state > other.state;
   }
 };
@@ -73,7 +73,7 @@ struct Way {
 class AmongBodies final : public TimedMotions {
  public:
   AmongBodies(Team& team, const LocalRoadmap& roadmap)
-      : team_(team), roadmap_(roadmap), target_(team.dof()) {}
+      : team_(team), roadmap_(roadmap), is_cheap_(team.avoids_points()), target_(team.dof()) {}
 
   void safe_intervals(Node node, double since, std::vector<Interval>& out) override {
     team_.safe_intervals(roadmap_.configuration(node), since, out,
@@ -85,11 +85,13 @@ class AmongBodies final : public TimedMotions {
     team_.nearest_representation(q, roadmap_.configuration(edge.to), target_);
     return team_.earliest_departure(q, target_, edge.duration, lo, hi);
   }
+  bool are_cheap() const override { return is_cheap_; }
   std::uint64_t checks() const override { return team_.checks(); }
 
  private:
   Team& team_;
   const LocalRoadmap& roadmap_;
+  bool is_cheap_;
   Configuration target_;  // scratch
 };
 
@@ -128,7 +130,7 @@ class Search {
           enter(next);
           break;
         case Open::Step::kDepart:
-          depart(next);
+          depart(next.state, ways_[next.way].edge, next.into);
           break;
       }
     }
@@ -210,6 +212,23 @@ class Search {
   }
 
   void leave(std::uint32_t id) {
+    if (motions_.are_cheap()) {
+      leave_at_once(id);
+    } else {
+      open_ways(id);
+    }
+  }
+
+  // Along every edge, nothing put off.
+  void leave_at_once(std::uint32_t id) {
+    for (const LocalRoadmap::Edge& edge : roadmap_.edges(states_[id].node)) {
+      if (is_spent()) return;
+      const auto [first, count, _] = states_of(edge.to);
+      for (std::uint32_t i = 0; i < count; ++i) depart(id, edge, first + i);
+    }
+  }
+
+  void open_ways(std::uint32_t id) {
     const State& from = states_[id];
     const auto begin = ways_.size();
     for (const LocalRoadmap::Edge& edge : roadmap_.edges(from.node)) {
@@ -256,7 +275,7 @@ class Search {
   }
 
   void enter(Open motion) {
-    const LocalRoadmap::Edge& edge = ways_[motion.way].edge;
+    const LocalRoadmap::Edge edge = ways_[motion.way].edge;
     const auto [first, count, _] = states_of(edge.to);
     const State& from = states_[motion.state];
     for (std::uint32_t id = first; id < first + count; ++id) {
@@ -267,15 +286,14 @@ class Search {
       motion.bound = bound(arrival, motion.to_go);
       motion.into = id;
       motion.step = Open::Step::kDepart;
-      if (count == 1 && is_next(motion)) return depart(motion);
+      if (count == 1 && is_next(motion)) return depart(motion.state, edge, id);
       open_.push(motion);
     }
   }
 
-  void depart(const Open& motion) {
-    const LocalRoadmap::Edge& edge = ways_[motion.way].edge;
-    const State& from = states_[motion.state];
-    State& to = states_[motion.into];
+  void depart(std::uint32_t from_id, const LocalRoadmap::Edge& edge, std::uint32_t to_id) {
+    const State& from = states_[from_id];
+    State& to = states_[to_id];
     const double lo = std::max(from.arrival, to.interval.lo - edge.duration);
     const double hi = std::min(from.interval.hi, to.interval.hi - edge.duration);
     if (lo > hi || lo + edge.duration >= to.arrival) return;
@@ -284,8 +302,8 @@ class Search {
     if (!departure || *departure + edge.duration >= to.arrival) return;
     to.arrival = *departure + edge.duration;
     to.departure = *departure;
-    to.parent = motion.state;
-    open(motion.into);
+    to.parent = from_id;
+    open(to_id);
   }
 
   TimedPath trace(std::uint32_t id) const {

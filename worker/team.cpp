@@ -128,6 +128,10 @@ bool Team::motion_is_clear(ConfigurationView a, ConfigurationView b, double t, d
   return true;
 }
 
+bool Team::avoids_points() const {
+  return std::ranges::all_of(obstacles_, &MovingObstacles::is_of_points);
+}
+
 std::uint64_t Team::checks() const {
   std::uint64_t sum = 0;
   for (const MovingObstacles& obstacles : obstacles_) sum += obstacles.checks();

@@ -65,6 +65,8 @@ class Team {
   std::optional<double> earliest_departure(ConfigurationView a, ConfigurationView b,
                                            double duration, double lo, double hi);
   bool motion_is_clear(ConfigurationView a, ConfigurationView b, double t, double duration);
+  // Whether all that members have to avoid in time is known in closed form.
+  bool avoids_points() const;
   std::uint64_t checks() const;
 
  private:

@@ -24,6 +24,8 @@ class TimedMotions {
   virtual std::optional<double> earliest_departure(LocalRoadmap::Node from,
                                                    const LocalRoadmap::Edge& edge, double lo,
                                                    double hi) = 0;
+  // Whether answers cost less than it does to put the questions off.
+  virtual bool are_cheap() const = 0;
   // Geometric queries answered so far, which a search's budget counts.
   virtual std::uint64_t checks() const = 0;
 };
