@@ -45,15 +45,26 @@ std::vector<LocalRoadmap::Edge>& LocalRoadmap::own_edges(Node node) {
 
 LocalRoadmap::Node LocalRoadmap::add(const Team& team, ConfigurationView q, bool reuse) {
   if (reuse) {
-    nearest(team, q, 1, static_cast<Node>(size()), neighbours_);
-    for (const Node node : neighbours_) {
-      if (team.squared_distance(configuration(node), q) < kSamePlace * kSamePlace) return node;
-    }
+    if (const auto known = find(team, q)) return *known;
   }
   configurations_.insert(configurations_.end(), q.begin(), q.end());
   constexpr std::size_t kUsualEdges = 8;
   adjacency_.emplace_back().reserve(kUsualEdges);
   return static_cast<Node>(size() - 1);
+}
+
+// A node at practically the same place.
+std::optional<LocalRoadmap::Node> LocalRoadmap::find(const Team& team, ConfigurationView q) const {
+  const auto is_there = [&](Node node) {
+    return team.squared_distance(configuration(node), q) < kSamePlace * kSamePlace;
+  };
+  for (Node node = base_size_; node < size(); ++node) {
+    if (is_there(node)) return node;
+  }
+  if (base_ == nullptr) return std::nullopt;
+  base_->nearest(q, 1, base_near_);
+  if (base_near_.empty() || !is_there(base_near_[0])) return std::nullopt;
+  return base_near_[0];
 }
 
 void LocalRoadmap::connect(const Team& team, Node a, Node b, bool proved) {

@@ -69,6 +69,7 @@ class LocalRoadmap {
   enum class Proof : std::uint8_t { kUnknown, kFree, kBlocked };
 
   bool is_inside(ConfigurationView q) const;
+  std::optional<Node> find(const Team& team, ConfigurationView q) const;
   std::vector<Edge>& own_edges(Node node);
 
   std::size_t dof_;

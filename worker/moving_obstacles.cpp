@@ -70,6 +70,11 @@ void MovingObstacles::add_points(const Trajectory& path, double radius, double u
       piece.t1 = std::min(until, path.time(i + 1));
     }
     points_.push_back(piece);
+    const Vec3 end = std::isinf(piece.t1)
+                         ? piece.position
+                         : Vec3(piece.position + (piece.t1 - piece.t0) * piece.velocity);
+    const Vec3 room = Vec3::Constant(distance_to(piece));
+    reaches_.push_back({piece.position.cwiseMin(end) - room, piece.position.cwiseMax(end) + room});
   }
 }
 
@@ -100,8 +105,13 @@ const MovingObstacles::Points& MovingObstacles::points_near(ConfigurationView a,
                                                             ConfigurationView b, double since,
                                                             double until) {
   near_.clear();
-  for (const PointTraffic::Piece& piece : points_) {
-    if (piece.t1 > since && piece.t0 < until) near_.push_back(&piece);
+  if (!points_.empty()) {
+    const Vec3 from = to_point(a), to = to_point(b);
+    const Aabb swept{from.cwiseMin(to), from.cwiseMax(to)};
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (points_[i].t1 <= since || points_[i].t0 >= until) continue;
+      if (reaches_[i].overlaps(swept)) near_.push_back(&points_[i]);
+    }
   }
   for (const auto& [traffic, only] : traffic_) {
     traffic->near(to_point(a), to_point(b), since, until, only, near_);

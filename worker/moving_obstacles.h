@@ -83,6 +83,7 @@ class MovingObstacles {
   double from_;
   double own_distance_;  // m: what centres must keep, less the other's radius
   std::vector<PointTraffic::Piece> points_;
+  std::vector<Aabb> reaches_;  // of the same: where centres may come too near
   std::vector<std::shared_ptr<MovingBody>> bodies_;
   std::vector<std::pair<const PointTraffic*, const std::vector<char>*>> traffic_;
   mutable DistanceTally tally_;
