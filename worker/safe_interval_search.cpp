@@ -112,6 +112,7 @@ class Search {
   std::optional<TimedPath> run(std::uint64_t& expanded) {
     if (!find_goal_times()) return std::nullopt;
     open_start();
+    if (const auto goal = go_straight()) return trace(*goal);
     for (std::size_t budget = request_.expansions; budget > 0 && !open_.empty() && !is_spent();) {
       const Open next = open_.top();
       open_.pop();
@@ -174,6 +175,22 @@ class Search {
       state.arrival = request_.from;
       open(first + i);
     }
+  }
+
+  // The motion from the start to the goal, if the roadmap has it and it can depart at once: nothing
+  // arrives sooner. The goal's state.
+  std::optional<std::uint32_t> go_straight() {
+    if (open_.empty()) return std::nullopt;
+    const std::uint32_t start = open_.top().state;
+    const auto edges = roadmap_.edges(request_.start);
+    const auto edge = std::ranges::find(edges, request_.goal, &LocalRoadmap::Edge::to);
+    if (edge == edges.end() || request_.from + edge->duration < goal_from_) return std::nullopt;
+    const auto [first, count, _] = states_of(request_.goal);
+    for (std::uint32_t id = first; id < first + count; ++id) {
+      depart(start, *edge, id);
+      if (states_[id].arrival == request_.from + edge->duration && is_goal(states_[id])) return id;
+    }
+    return std::nullopt;
   }
 
   bool is_goal(const State& state) const {

@@ -46,7 +46,7 @@ struct SolverLimits {
   std::size_t query_checks = 20000;           // geometric queries against moving bodies in one
   std::size_t priority_orders = 6;            // orders tried by prioritized planning; 1: in task
                                               // order alone
-  std::size_t decoupled_samples = 96;         // free samples a robot adds at most
+  std::size_t decoupled_samples = 48;         // free samples a robot adds at most
   std::size_t composite_nodes = 400;          // nodes of one composite roadmap at most; more where
                                               // nothing is left to grow: Subproblem says
   std::size_t composite_window_per_dof = 12;  // W of the adaptive termination, per dof
