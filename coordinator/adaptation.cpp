@@ -118,7 +118,7 @@ const Adaptation::Trade* Adaptation::trade_of(const Conflict& conflict) const {
 }
 
 // A crowd that pushes its conflicts ahead of itself looks further ahead each time, but not so far
-// that it would be too large.
+// that it would be too large, or beyond where conflicts are known.
 Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
                             const ConflictBoard& board) const {
   growth.crowd = true;
@@ -127,7 +127,9 @@ Growth Adaptation::crowd_of(const Conflict& conflict, Growth growth,
   for (unsigned further = trade ? trade->count / kTradesToMerge : 0;; further /= 2) {
     Growth grown = growth;
     grown.window += further;
-    grown.taken_in = entangled_before(factory_.window(conflict, grown).horizon, team, board);
+    const double horizon = factory_.window(conflict, grown).horizon;
+    if (further > 0 && horizon > board.seen_until()) continue;
+    grown.taken_in = entangled_before(horizon, team, board);
     if (further == 0 || grown.taken_in.size() <= kLargestCrowd) return grown;
   }
 }

@@ -85,6 +85,11 @@ bool ConflictBoard::look_at_all() {
   return look_ahead(std::numeric_limits<std::size_t>::max(), 0);
 }
 
+double ConflictBoard::seen_until() const {
+  return looked_ < grid_.slabs() ? grid_.slab_start(looked_)
+                                 : std::numeric_limits<double>::infinity();
+}
+
 void ConflictBoard::update(const std::vector<RobotId>& changed, double from) {
   const bool has_looked_at_all = looked_ == grid_.slabs();
   const std::size_t before = by_time_.size();

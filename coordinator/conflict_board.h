@@ -27,6 +27,8 @@ class ConflictBoard {
   bool look_ahead(std::size_t enough, double reach);
   // All there is.
   bool look_at_all();
+  // Up to when (s) conflicts are known; infinite where all are.
+  double seen_until() const;
 
   // Scans again what the given robots' new paths may have changed from time `from` (s) on, as far
   // as it has looked ahead.
