@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/planning/subproblem.h"
 #include "worker/shared_roadmap.h"
 
 namespace accord {
 
 class RobotRoadmap {
  public:
-  static constexpr std::size_t kLevels = 5;
+  static constexpr std::size_t kLevels = kRoadmapLevels;
 
   // `robot` stands for all that share the roadmap. Cheap: levels are built when asked for.
   RobotRoadmap(const CollisionWorld& world, RobotId robot);

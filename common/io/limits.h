@@ -50,6 +50,14 @@ inline constexpr double kMinRate = 1e-6;    // m/s or rad/s
 inline constexpr double kTimestep = 1e3;    // s
 inline constexpr double kMinTimestep = 1e-6;  // s
 
+// On the wire: payloads (io/wire/), far above what scenes within the limits above need
+inline constexpr std::size_t kSceneWireBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kSceneWireParts = 3'000'000;  // messages and names in them
+inline constexpr std::size_t kSubproblemBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kResolutionBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kSolvers = 16;  // of one hierarchy
+inline constexpr std::size_t kSolverNameBytes = 64;
+
 // Plans
 inline constexpr double kPlanTime = 1e9;  // s
 

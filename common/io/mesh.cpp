@@ -62,13 +62,6 @@ bool is_closed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   return !triangles.empty();
 }
 
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  constexpr double kThin = 1e-10;  // height against length
-  const double longest =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return (b - a).cross(c - a).norm() > kThin * longest;
-}
-
 std::optional<TriangleSoup> parse(const std::filesystem::path& path, const Blame& blame,
                                   Faults& faults) {
   const std::string extension = extension_of(path);
@@ -112,6 +105,13 @@ bool is_sound(const TriangleMesh& mesh, const std::string& name, const MeshBlame
 }
 
 }  // namespace
+
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double kThin = 1e-10;  // height against length
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() > kThin * longest;
+}
 
 TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale) {
   std::vector<Vec3> corners;

@@ -20,6 +20,9 @@ namespace accord {
 // the triangles turned alike. The order of vertices and triangles depends on the soup alone.
 TriangleMesh weld(const TriangleSoup& soup, const Vec3& scale);
 
+// Whether three corners make a triangle that is more than a line.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c);
+
 // Whoever named a mesh, to blame for what no line of its file is.
 struct MeshBlame {
   Blame file;   // it cannot be read, or holds no mesh

@@ -67,6 +67,8 @@ std::optional<std::string> touching_edges(const std::vector<Vec2>& points) {
   return std::nullopt;
 }
 
+}  // namespace
+
 double signed_area(const std::vector<Vec2>& points) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -74,8 +76,6 @@ double signed_area(const std::vector<Vec2>& points) {
   }
   return twice / 2;
 }
-
-}  // namespace
 
 std::optional<std::string> outline_fault(const std::vector<Vec2>& points) {
   const std::size_t count = points.size();

@@ -18,6 +18,9 @@ inline constexpr double kShortestEdge = 1e-6;  // m
 // Either direction is fine. Takes time quadratic in the number of points.
 std::optional<std::string> outline_fault(const std::vector<Vec2>& points);
 
+// Positive where the points go round counter-clockwise. Requires: a simple polygon.
+double signed_area(const std::vector<Vec2>& points);
+
 // [[x, y], ...], at least three; the result is counter-clockwise.
 std::optional<Polygon> read_polygon(const Value& value, Faults& faults);
 

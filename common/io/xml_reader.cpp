@@ -93,7 +93,9 @@ std::optional<std::string> XmlElement::name(const char* attribute) const {
     return std::nullopt;
   }
   const std::string_view name(text);
-  if (name.size() > limits::kNameBytes || name.find_first_of("\t\r\n") != std::string_view::npos) {
+  // Characters that are written as numbers, as in &#1;, may be any.
+  if (name.size() > limits::kNameBytes || name.find_first_of("\t\r\n") != std::string_view::npos ||
+      first_unprintable(name) != std::string_view::npos) {
     fault(attribute, "expected a name of at most " + std::to_string(limits::kNameBytes) +
                          " bytes in one line, not " + in_quotes(name));
     return std::nullopt;

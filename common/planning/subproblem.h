@@ -13,6 +13,9 @@
 
 namespace accord {
 
+// A robot's own roadmaps come in so many levels, each denser than the one before.
+inline constexpr int kRoadmapLevels = 5;
+
 // A box in one robot's configuration space: E' of the paper, for that robot.
 struct Region {
   Configuration lower;

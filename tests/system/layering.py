@@ -25,14 +25,17 @@ RULES = {
 
 # Third parties' headers, and the folders that may include them.
 OWNERS = {
-    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h": ["common/transport"],
-    r"google/protobuf/|.*\.pb\.h": ["common/io", "common/transport"],
+    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h": ["common/transport"],
+    r"google/protobuf/|.*\.pb\.h|openssl/": ["common/io/wire"],
     r"fcl/|ccd/": ["common/geometry"],
     r"yaml-cpp/|tinyxml2\.h|assimp/": ["common/io"],
     r"CLI/": ["client", "coordinator/main", "worker/main"],
 }
 # Of these, none may appear in a header: it would reach whoever includes that header.
-SOURCES_ONLY = r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|google/protobuf/|.*\.pb\.h"
+SOURCES_ONLY = r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|google/protobuf/|.*\.pb\.h|openssl/"
+# But for the headers of these folders, which only their own files and their parents' sources may
+# include.
+PRIVATE = ["common/transport/dds/"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -50,8 +53,14 @@ def breaches_of_line(path, included):
     for pattern, owners in OWNERS.items():
         if re.match(pattern, included) and not any(path.startswith(owner) for owner in owners):
             yield f"only {', '.join(owners)} may include it"
-    if re.match(SOURCES_ONLY, included) and path.endswith(".h"):
+    private = next((p for p in PRIVATE if path.startswith(p)), None)
+    if re.match(SOURCES_ONLY, included) and path.endswith(".h") and not private:
         yield "not in a header: DDS and Protobuf stay inside sources"
+    for inner in PRIVATE:
+        parent = inner.rstrip("/").rpartition("/")[0]
+        of_parent = path.startswith(parent + "/") and path.endswith(".cpp")
+        if included.startswith(inner) and private != inner and not of_parent:
+            yield f"{inner} is private"
 
 
 def breaches(path, text):
@@ -70,12 +79,21 @@ def self_test():
         ("coordinator/a.cpp", '# include "worker/b.h"'),
         ("coordinator/a.cpp", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", "#include <fastdds/dds/topic.hpp>"),
+        ("common/transport/a.h", '#include "accordPubSubTypes.h"'),
+        ("common/transport/a.h", '#include "common/transport/dds/b.h"'),
+        ("worker/a.cpp", '#include "common/transport/dds/b.h"'),
+        ("common/io/a.cpp", '#include "accord.pb.h"'),
+        ("common/io/wire/a.h", '#include "accord.pb.h"'),
+        ("common/transport/a.cpp", '#include "accord.pb.h"'),
         ("common/model/a.cpp", "#include <fcl/fcl.h>"),
     ]
     good = [
         ("common/planning/a.cpp", '#include "common/geometry/b.h"'),
         ("client/a.cpp", '#include "coordinator/b.h"'),
         ("common/transport/a.cpp", "#include <fastdds/dds/topic.hpp>"),
+        ("common/transport/a.cpp", '#include "common/transport/dds/b.h"'),
+        ("common/transport/dds/a.h", "#include <fastdds/dds/topic.hpp>"),
+        ("common/io/wire/a.cpp", '#include "accord.pb.h"'),
         ("worker/a.cpp", "#include <vector>"),
     ]
     for path, line in bad:

@@ -1,0 +1,31 @@
+// Subproblems, and the solvers to try on them, to bytes and back.
+//
+// Canonical: one value, one sequence of bytes. Thread safe. Nothing throws but std::bad_alloc.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "common/io/wire/bytes.h"
+#include "common/model/scene.h"
+#include "common/planning/subproblem.h"
+
+namespace accord {
+
+Bytes encode_subproblem(const Subproblem& subproblem);
+
+// The subproblem, bit for bit, or a sentence that says which field is wrong and what was expected.
+// Takes any bytes: a subproblem that comes back is one that every solver can be given: its robots
+// are the scene's, each once and in order; numbers are finite (but for times that may be infinite)
+// and as many as the robot has degrees of freedom; times increase; regions are boxes inside the
+// robot's space; limits lie within those of SolverLimits::unlimited(). Whether its paths are free
+// is for the solvers to find out.
+tl::expected<Subproblem, std::string> decode_subproblem(BytesView bytes, const Scene& scene);
+
+// Names of solvers, in order. Whether they exist is for make_solver() to say.
+// Requires: as decode_hierarchy() asks for.
+Bytes encode_hierarchy(const std::vector<std::string>& solvers);
+tl::expected<std::vector<std::string>, std::string> decode_hierarchy(BytesView bytes);
+
+}  // namespace accord

@@ -1,0 +1,24 @@
+// Every QoS that is used, in one place. The reasons are in docs/architecture.md; the figures behind
+// them were measured on Debian 12 with Fast DDS 2.9.1.
+#pragma once
+
+#include <cstddef>
+#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <string>
+
+#include "common/transport/dds_options.h"
+
+namespace accord::dds {
+
+// Transports, discovery, leases. `user_data`: who the participant is (peer_name.h).
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DdsOptions& options,
+                                                             const std::string& user_data);
+
+// Reliable, in order, nothing thrown away: a writer that has `depth` samples that a reader has not
+// acknowledged refuses more.
+eprosima::fastdds::dds::DataWriterQos writer_qos(std::size_t depth);
+eprosima::fastdds::dds::DataReaderQos reader_qos(std::size_t depth);
+
+}  // namespace accord::dds

@@ -1,0 +1,51 @@
+// How an endpoint finds and reaches its peers over DDS.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/transport/messages.h"
+
+namespace accord {
+
+struct DdsAddress {
+  std::string ip;          // IPv4
+  std::uint16_t port = 0;  // 0: the domain's own
+};
+
+struct DdsOptions {
+  enum class Transport {
+    kSharedMemory,  // this machine only, and only processes that see the same /dev/shm
+    kUdp,
+    kBoth,  // shared memory where it reaches. Not for containers that share the host's network but
+            // not its /dev/shm: they would find each other and never talk
+  };
+  enum class Discovery {
+    kMulticast,
+    kPeers,   // `addresses` are asked, each at the ports of the domain's first participants
+    kServer,  // `addresses` are Fast DDS discovery servers, with the ids 0, 1, ... in that order
+  };
+
+  // Endpoints of one cluster talk to each other only, whatever else is in the domain.
+  // Letters, digits, '-', '_', '.'; at most 64.
+  std::string cluster = "default";
+  std::uint32_t domain = 0;  // 0 to 232
+  Transport transport = Transport::kBoth;
+  Discovery discovery = Discovery::kMulticast;
+  std::vector<std::string> interfaces;  // IPv4 addresses of this machine to use; empty: all
+  std::vector<DdsAddress> addresses;
+  std::chrono::milliseconds lease{2000};              // of silence, until a process is given up
+  std::chrono::milliseconds announcement{200};        // from one sign of life to the next
+  std::size_t segment_bytes = std::size_t{64} << 20;  // of shared memory, for what this one sends;
+                                                      // containers have 64 MB of it unless told
+  std::uint32_t protocol = kProtocol;                 // another one: for tests of strangers
+};
+
+// Why options make no sense, as a sentence; nullopt where they do.
+std::optional<std::string> options_fault(const DdsOptions& options);
+
+}  // namespace accord

@@ -1,0 +1,100 @@
+// A worker that sees nothing but bytes makes the same plan: the scene it plans in, each subproblem
+// that it is given and each resolution that it returns have gone through the codecs.
+#include <gtest/gtest.h>
+
+#include "client/engine/local_workforce.h"
+#include "common/geometry/tolerances.h"
+#include "common/io/scene_file.h"
+#include "common/io/wire/resolution_codec.h"
+#include "common/io/wire/scene_codec.h"
+#include "common/io/wire/subproblem_codec.h"
+#include "common/planning/schedule.h"
+#include "coordinator/arc.h"
+#include "worker/worker.h"
+
+namespace accord {
+namespace {
+
+class Workers : public Workforce {
+ public:
+  explicit Workers(const std::shared_ptr<const Scene>& scene)
+      : scene_(scene), world_(scene, kPlanningMargin), worker_(world_, default_solver_names()) {}
+
+  std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
+                                const std::atomic<bool>& stop) override {
+    std::vector<Resolution> out;
+    for (const Subproblem& subproblem : subproblems) out.push_back(one(subproblem, stop));
+    return out;
+  }
+
+ protected:
+  virtual Resolution one(const Subproblem& subproblem, const std::atomic<bool>& stop) {
+    return worker_.solve(subproblem, stop);
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  CollisionWorld world_;
+  Worker worker_;
+};
+
+class WorkersBehindTheWire final : public Workers {
+ public:
+  using Workers::Workers;
+
+  std::size_t largest = 0;  // bytes of a subproblem
+
+ private:
+  Resolution one(const Subproblem& subproblem, const std::atomic<bool>& stop) override {
+    const Bytes bytes = encode_subproblem(subproblem);
+    largest = std::max(largest, bytes.size());
+    const auto received = decode_subproblem(bytes, *scene_);
+    if (!received) throw std::logic_error(received.error());
+    const Resolution resolution = worker_.solve(*received, stop);
+    auto returned = decode_resolution(encode_resolution(resolution), *scene_, subproblem);
+    if (!returned) throw std::logic_error(returned.error());
+    return *returned;
+  }
+};
+
+std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene, Workforce& workforce) {
+  const CollisionWorld planning(scene, kPlanningMargin);
+  const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
+  const std::atomic<bool> stop{false};
+  Arc arc(planning, detection, 1, workforce, stop, {});
+  const Outcome outcome = arc.run();
+  EXPECT_EQ(outcome.status, PlanStatus::kSolved) << outcome.message;
+  std::vector<Trajectory> paths;
+  for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
+    paths.push_back(arc.schedule().path({id}));
+  }
+  return paths;
+}
+
+class PlanningOverTheWire : public testing::TestWithParam<const char*> {};
+
+TEST_P(PlanningOverTheWire, MakesTheSamePlanToTheBit) {
+  const auto scene =
+      load_scene(ACCORD_SOURCE_DIR "/scenes/" + std::string(GetParam()) + ".yaml").scene;
+  ASSERT_NE(scene, nullptr);
+  const Bytes bytes = encode_scene(*scene);
+  const auto copy = decode_scene(bytes);
+  ASSERT_TRUE(copy) << copy.error();
+  Workers here(scene);
+  WorkersBehindTheWire there(*copy);
+  EXPECT_EQ(plan(scene, here), plan(scene, there));
+  RecordProperty("scene_bytes", static_cast<int>(bytes.size()));
+  RecordProperty("largest_subproblem_bytes", static_cast<int>(there.largest));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PlanningOverTheWire,
+                         testing::Values("adaptive-mobile", "low-mobile-16", "low-manipulator-02",
+                                         "mixed-floor", "mixed-cell", "drones-12", "rack-drones",
+                                         "depot-map", "fleet-0050", "random-crossing-0100"),
+                         [](const auto& param_info) {
+                           std::string name = param_info.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace accord
