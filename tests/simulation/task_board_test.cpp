@@ -1,0 +1,340 @@
+// The coordinator's books in clusters that suffer: a scripted worker's "solution" of a task is its
+// payload reversed, so that everything that comes back can be checked.
+#include "coordinator/dispatch/task_board.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+#include "common/planning/random.h"
+#include "common/transport/simulated_network.h"
+
+namespace accord {
+namespace {
+
+using std::chrono::milliseconds;
+using Time = Bus::Duration;
+
+Bytes payload_of(TaskId task) {
+  Bytes bytes;
+  for (TaskId rest = task + 1; rest > 0; rest /= 7) {
+    bytes.push_back(static_cast<Bytes::value_type>(rest % 7));
+  }
+  return bytes;
+}
+
+Bytes solution_of(Bytes payload) {
+  std::ranges::reverse(payload);
+  return payload;
+}
+
+// One process that works: takes what it is given, one task at a time.
+class ScriptedWorker {
+ public:
+  ScriptedWorker(SimulatedNetwork& network, Time task_time, TaskId poison)
+      : bus_(network.join(Role::kWorker)), task_time_(task_time), poison_(poison) {}
+
+  EndpointId id() const { return bus_->self(); }
+  bool lies = false;   // what it returns does not hold
+  bool fails = false;  // it runs into trouble of its own
+  bool dead = false;
+
+  void step(Time now) {
+    while (const auto event = bus_->take()) on_event(*event, now);
+    if (coordinator_ && now - heard_ >= milliseconds(400)) coordinator_.reset();
+    if (now >= speak_at_) {
+      if (coordinator_) {
+        say_alive(now);
+      } else {
+        announce();
+      }
+      speak_at_ = now + milliseconds(100);
+    }
+    while (!tasks_.empty() && now >= done_at_) finish(now);
+  }
+  Time next() const { return tasks_.empty() ? speak_at_ : std::min(speak_at_, done_at_); }
+  // Has it a task in hand that nobody survives?
+  bool is_poisoned() const { return !tasks_.empty() && tasks_.front().key.task == poison_; }
+
+ private:
+  void on_event(const BusEvent& event, Time now) {
+    if (std::holds_alternative<PeerLost>(event.what)) {
+      if (coordinator_ == event.peer) coordinator_.reset();
+      return;
+    }
+    const auto* message = std::get_if<Message>(&event.what);
+    if (message == nullptr) return;
+    heard_ = now;
+    if (const auto* command = std::get_if<Command>(message)) {
+      if (command->kind == Command::Kind::kWelcome) coordinator_ = event.peer;
+      for (const TaskKey& key : command->tasks) {
+        std::erase_if(tasks_, [&](const TaskItem& item) { return item.key == key; });
+      }
+    }
+    if (const auto* batch = std::get_if<TaskBatch>(message)) {
+      for (const TaskItem& item : batch->tasks) {
+        if (tasks_.empty()) done_at_ = now + task_time_;
+        tasks_.push_back(item);
+      }
+    }
+  }
+  void announce() {
+    Announcement announcement;
+    announcement.threads = 1;
+    announcement.task_bytes = 1 << 20;
+    bus_->publish({}, announcement);
+  }
+  void say_alive(Time) {
+    Heartbeat heartbeat;
+    for (const TaskItem& item : tasks_) {
+      heartbeat.tasks.push_back({item.key, item.key == tasks_.front().key, 0});
+    }
+    bus_->publish(*coordinator_, heartbeat);
+  }
+  void finish(Time now) {
+    ResultItem result;
+    result.key = tasks_.front().key;
+    result.resolution = lies ? Bytes(3, 99) : solution_of(tasks_.front().subproblem);
+    result.seconds = std::chrono::duration<double>(task_time_).count();
+    if (fails) {
+      result.outcome = ResultItem::Outcome::kFailed;
+      result.text = "no memory";
+      result.resolution.clear();
+    }
+    if (coordinator_ && bus_->publish(*coordinator_, ResultBatch{{result}}) == Published::kFull) {
+      done_at_ = now + milliseconds(1);
+      return;
+    }
+    tasks_.pop_front();
+    done_at_ = now + task_time_;
+  }
+
+  std::unique_ptr<Bus> bus_;
+  Time task_time_;
+  TaskId poison_;
+  std::optional<EndpointId> coordinator_;
+  Time heard_{0}, speak_at_{0}, done_at_{0};
+  std::deque<TaskItem> tasks_;
+};
+
+constexpr TaskId kNoPoison = 1'000'000;
+
+class Cluster {
+ public:
+  explicit Cluster(std::uint64_t seed, TaskId poison = kNoPoison)
+      : network_(seed), random_(seed), poison_(poison), bus_(network_.join(Role::kCoordinator)) {}
+
+  ScriptedWorker& start_worker(Time task_time) {
+    workers_.push_back(std::make_unique<ScriptedWorker>(network_, task_time, poison_));
+    return *workers_.back();
+  }
+  void submit(TaskId first, std::size_t count) {
+    RequestWork work;
+    work.request = first;
+    std::vector<NewTask> tasks;
+    for (TaskId id = first; id < first + count; ++id) {
+      tasks.push_back({id, payload_of(id), 1 + static_cast<double>(id % 5)});
+    }
+    board.add(std::move(work), std::move(tasks));
+  }
+
+  // Runs until nothing is unfinished; false: not within the time.
+  bool run(Time until, bool check = true) {
+    while (board.unfinished() > 0) {
+      if (network_.now() > until) return false;
+      step();
+      while (const auto finished = board.take_finished()) {
+        if (finished->how != FinishedTask::How::kDone) {
+          not_done[finished->task] = *finished;
+        } else if (check && finished->resolution != solution_of(payload_of(finished->task))) {
+          board.reject(*finished, "it does not hold");
+        } else {
+          EXPECT_TRUE(done.insert(finished->task).second) << "finished twice";
+        }
+      }
+    }
+    return true;
+  }
+
+  void step() {
+    const Time now = network_.now();
+    while (const auto event = bus_->take()) board.on_event(*event, now);
+    board.on_time(now);
+    while (const auto out = board.next_outgoing(now)) {
+      board.on_published(out->to, bus_->publish(out->to, out->message), now);
+    }
+    for (const auto& worker : workers_) {
+      if (worker->dead) continue;
+      worker->step(now);
+      if (worker->is_poisoned()) kill(*worker);
+    }
+    Time next = now + milliseconds(5);
+    if (const auto due = network_.next()) next = std::min(next, std::max(*due, now));
+    if (const auto due = board.next_deadline()) next = std::min(next, std::max(*due, now));
+    for (const auto& worker : workers_) {
+      if (!worker->dead) next = std::min(next, std::max(worker->next(), now));
+    }
+    network_.advance_to(std::max(next, now + std::chrono::microseconds(10)));
+  }
+
+  void kill(ScriptedWorker& worker) {
+    worker.dead = true;
+    network_.kill(worker.id());
+  }
+  // A fault, or none.
+  void strike() {
+    const auto victim = static_cast<std::size_t>(random_.below(workers_.size()));
+    switch (random_.below(8)) {
+      case 0:
+        if (!workers_[victim]->dead) kill(*workers_[victim]);
+        start_worker(milliseconds(1 + random_.below(20)));
+        break;
+      case 1:
+        network_.cut(bus_->self(), workers_[victim]->id());
+        break;
+      case 2:
+        network_.heal(bus_->self(), workers_[victim]->id());
+        break;
+      case 3:
+        network_.set_faults({0.2, 0.1, 0.2});
+        break;
+      case 4:
+        network_.set_faults({});
+        break;
+      default:
+        break;
+    }
+  }
+  void calm() {
+    network_.set_faults({});
+    for (const auto& worker : workers_) network_.heal(bus_->self(), worker->id());
+  }
+
+  TaskBoard board{TaskBoard::Settings{}};
+  std::set<TaskId> done;
+  std::map<TaskId, FinishedTask> not_done;
+  SimulatedNetwork& network() { return network_; }
+
+ private:
+  SimulatedNetwork network_;
+  RandomStream random_;
+  TaskId poison_;
+  std::unique_ptr<Bus> bus_;
+  std::vector<std::unique_ptr<ScriptedWorker>> workers_;
+};
+
+TEST(TaskBoard, GetsEveryTaskDoneOnce) {
+  Cluster cluster(1);
+  for (int i = 0; i < 3; ++i) cluster.start_worker(milliseconds(2));
+  cluster.submit(1, 200);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(5)));
+  EXPECT_EQ(cluster.done.size(), 200U);
+  EXPECT_EQ(cluster.board.counters().reassigned, 0U);
+}
+
+TEST(TaskBoard, KeepsAllWorkersBusy) {
+  for (const int workers : {1, 4, 16}) {
+    Cluster cluster(2);
+    for (int i = 0; i < workers; ++i) cluster.start_worker(milliseconds(4));
+    cluster.submit(1, 320);
+    ASSERT_TRUE(cluster.run(std::chrono::seconds(60)));
+    const double ideal = 320 * 0.004 / workers;
+    EXPECT_LT(std::chrono::duration<double>(cluster.network().now()).count(), 1.2 * ideal + 0.05)
+        << workers << " workers";
+  }
+}
+
+TEST(TaskBoard, GivesTasksOfTheDeadToOthers) {
+  Cluster cluster(3);
+  ScriptedWorker& first = cluster.start_worker(milliseconds(10));
+  cluster.submit(1, 20);
+  while (cluster.network().now() < milliseconds(60)) cluster.step();
+  cluster.kill(first);
+  cluster.start_worker(milliseconds(10));
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
+  EXPECT_EQ(cluster.board.counters().workers_lost, 1U);
+  EXPECT_GT(cluster.board.counters().reassigned, 0U);
+}
+
+TEST(TaskBoard, QuarantinesATaskThatKillsThreeWorkers) {
+  constexpr TaskId kPoison = 7;
+  Cluster cluster(4, kPoison);
+  for (int i = 0; i < 8; ++i) cluster.start_worker(milliseconds(3));
+  cluster.submit(1, 30);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(30)));
+  EXPECT_EQ(cluster.done.size(), 29U);
+  ASSERT_EQ(cluster.not_done.size(), 1U);
+  EXPECT_EQ(cluster.not_done.begin()->first, kPoison);
+  EXPECT_EQ(cluster.not_done.begin()->second.how, FinishedTask::How::kQuarantined);
+  EXPECT_EQ(cluster.board.counters().workers_lost, 3U);
+}
+
+TEST(TaskBoard, DistrustsWhoeverReturnsWhatDoesNotHold) {
+  Cluster cluster(5);
+  cluster.start_worker(milliseconds(1)).lies = true;
+  cluster.start_worker(milliseconds(5));
+  cluster.submit(1, 40);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
+  EXPECT_EQ(cluster.done.size(), 40U);
+}
+
+TEST(TaskBoard, AsksOthersWhereAWorkerFails) {
+  Cluster cluster(6);
+  cluster.start_worker(milliseconds(1)).fails = true;
+  cluster.start_worker(milliseconds(5));
+  cluster.submit(1, 10);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
+  EXPECT_EQ(cluster.done.size(), 10U);
+}
+
+TEST(TaskBoard, SaysWhyNobodyTakesATask) {
+  Cluster cluster(7);
+  cluster.start_worker(milliseconds(1)).fails = true;
+  cluster.submit(1, 1);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
+  ASSERT_EQ(cluster.not_done.size(), 1U);
+  EXPECT_EQ(cluster.not_done.begin()->second.how, FinishedTask::How::kRefused);
+  EXPECT_NE(cluster.not_done.begin()->second.text.find("no memory"), std::string::npos);
+}
+
+TEST(TaskBoard, DropsWhatHasEnded) {
+  Cluster cluster(8);
+  cluster.start_worker(milliseconds(5));
+  cluster.submit(1, 50);
+  cluster.submit(1000, 5);
+  while (cluster.network().now() < milliseconds(40)) cluster.step();
+  cluster.board.end(1);
+  EXPECT_LE(cluster.board.unfinished(), 5U);
+  EXPECT_TRUE(cluster.run(std::chrono::seconds(5)));
+  for (const TaskId task : cluster.done) EXPECT_GE(task, 1000U);
+  EXPECT_EQ(cluster.done.size(), 5U);
+}
+
+// Kills, cut links, and messages that are lost, come twice or out of order, at random moments.
+TEST(TaskBoard, LosesNothingInAThousandClustersThatSuffer) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    Cluster cluster(seed);
+    RandomStream random(seed);
+    for (int i = 0; i < 3; ++i) {
+      cluster.start_worker(milliseconds(1 + random.below(10)));
+    }
+    cluster.submit(1, 40);
+    for (int fault = 0; fault < 12; ++fault) {
+      const Time until = cluster.network().now() + milliseconds(random.below(300));
+      while (cluster.network().now() < until && cluster.board.unfinished() > 0) cluster.step();
+      cluster.strike();
+    }
+    cluster.calm();
+    cluster.start_worker(milliseconds(2));
+    ASSERT_TRUE(cluster.run(cluster.network().now() + std::chrono::seconds(20))) << seed;
+    EXPECT_EQ(cluster.done.size() + cluster.not_done.size(), 40U) << seed;
+    for (const auto& [task, finished] : cluster.not_done) {
+      EXPECT_EQ(finished.how, FinishedTask::How::kQuarantined) << seed << ": " << finished.text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace accord
