@@ -5,7 +5,10 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <set>
+#include <string>
 
 #include "tests/contract/dds_world.h"
 
@@ -37,6 +40,7 @@ class PeerProcess {
   PeerProcess(const PeerProcess&) = delete;
   PeerProcess& operator=(const PeerProcess&) = delete;
 
+  pid_t id() const { return child_; }
   void signal(int number) const { kill(child_, number); }
   int wait() {
     int status = 0;
@@ -95,25 +99,30 @@ class DdsProcesses : public testing::Test {
   std::vector<ResultBatch> results_;
 };
 
+// Files of shared memory that a process has mapped.
+std::set<std::string> shared_files(pid_t process) {
+  std::set<std::string> out;
+  std::ifstream maps("/proc/" + std::to_string(process) + "/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const std::size_t path = line.find("/dev/shm/");
+    if (path != std::string::npos) out.insert(line.substr(path));
+  }
+  return out;
+}
+
 TEST_F(DdsProcesses, AreFoundAndAnswerOverSharedMemoryAndLeaveNothingThere) {
-  const auto files = [] {
-    std::size_t count = 0;
-    for (const auto& file : std::filesystem::directory_iterator("/dev/shm")) {
-      if (file.path().filename().string().find("fastrtps") != std::string::npos) ++count;
-    }
-    return count;
-  };
-  const std::size_t before = files();
   open(Transport::kSharedMemory);
   PeerProcess peer(options_);
   meet();
   for (const std::size_t bytes : {1UL, 1'000UL, 100'000UL, 3'000'000UL}) EXPECT_TRUE(echoes(bytes));
-  EXPECT_GT(files(), before);
+  std::set<std::string> files = shared_files(getpid());
+  files.merge(shared_files(peer.id()));
+  EXPECT_FALSE(files.empty());
   EXPECT_EQ(bus_->publish(peer_, Command{Command::Kind::kForget, {}, {}, {}}), Published::kSent);
   EXPECT_EQ(peer.wait(), 0);
   EXPECT_TRUE(until([&] { return bus_->peers().empty(); }, 5s));
   bus_.reset();
-  EXPECT_LE(files(), before);
+  for (const std::string& file : files) EXPECT_FALSE(std::filesystem::exists(file)) << file;
 }
 
 TEST_F(DdsProcesses, AreFoundAndAnswerOverUdp) {
