@@ -175,5 +175,23 @@ TEST_F(DdsProcesses, ThatAreStoppedFillTheirOwnQueueAndNoMore) {
   EXPECT_TRUE(echoes(1'000));
 }
 
+TEST(DdsDiscoveryServer, BringsEndpointsTogether) {
+  DdsOptions options = local_dds(Transport::kUdp);
+  options.discovery = DdsOptions::Discovery::kServer;
+  const auto port = static_cast<std::uint16_t>(20'000 + std::random_device()() % 10'000);
+  options.addresses = {{"127.0.0.1", port}};
+  const pid_t server = fork();
+  if (server == 0) {
+    // Not the `fastdds` wrapper, which leaves its child behind.
+    execl("/usr/bin/fast-discovery-server", "fast-discovery-server", "-i", "0", "-l", "127.0.0.1",
+          "-p", std::to_string(port).c_str(), nullptr);
+    _exit(127);
+  }
+  DdsWorld world(options);
+  EXPECT_EQ(bus_contract::check_named("PeersFindEachOther").run(world), "");
+  kill(server, SIGINT);  // else it leaves its shared memory behind
+  waitpid(server, nullptr, 0);
+}
+
 }  // namespace
 }  // namespace accord
