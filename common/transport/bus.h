@@ -17,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -55,6 +56,8 @@ struct BusCounters {
   std::array<Kind, kMessageKinds> kinds;
   std::uint64_t full = 0;       // times that publish() returned kFull
   std::uint64_t malformed = 0;  // received, beyond a limit: dropped
+  std::uint64_t early = 0;      // received from peers that were not present, too many to hold back:
+                                // dropped
   std::uint64_t foreign = 0;    // received, not meant for this endpoint or not from whom it claims
                                 // to be: dropped
 };
@@ -79,7 +82,7 @@ class Bus {
 
   // Whether take() may give something: waits for it until the timeout ends, or wake() is called.
   // May return true for nothing.
-  bool wait_for_event(Duration timeout) { return do_wait(timeout); }
+  bool wait_for_event(Duration timeout) { return !ready_.empty() || do_wait(timeout); }
 
   // Ends a wait_for_event() at once, the present one or the next.
   void wake() { do_wake(); }
@@ -101,8 +104,14 @@ class Bus {
   virtual bool do_wait(Duration timeout) = 0;
   virtual void do_wake() = 0;
 
+  std::optional<BusEvent> next_event();
+  void hold_back(BusEvent event);
+  void release(EndpointId peer);
+
   EndpointId self_;
   Role role_;
+  std::deque<BusEvent> early_;  // of peers that are not present
+  std::deque<BusEvent> ready_;  // of one that has appeared
   std::vector<EndpointId> peers_;
   BusCounters counters_;
 };

@@ -23,7 +23,7 @@ constexpr std::size_t kPairs = kMessageKinds;
 
 class DdsBus final : public Bus {
  public:
-  DdsBus(const PeerName& name)
+  explicit DdsBus(const PeerName& name)
       : Bus(name.id, name.role), name_(name), book_(name, kPairs, signal_) {}
 
   std::optional<std::string> open(const DdsOptions& options) {

@@ -164,6 +164,19 @@ void a_stranger_of_another_version_is_heard(World& world) {
           "peers of different versions see each other");
 }
 
+void messages_come_after_their_sender_appeared(World& world) {
+  // Whoever is seen first is sent to at once.
+  for (int round = 0; round < 3; ++round) {
+    Party coordinator(world.join(Role::kCoordinator));
+    Party worker(world.join(Role::kWorker));
+    require(coordinator.until([&] { return coordinator.sees(worker); }), "a peer never appeared");
+    for (int i = 0; i < 3; ++i) coordinator.bus->publish(worker.bus->self(), Command{});
+    require(worker.until([&] { return worker.messages() == 3; }), "nothing came");
+    require(std::holds_alternative<PeerAppeared>(worker.events.front().what),
+            "a message came before its sender appeared");
+  }
+}
+
 // ---- Messages ----
 
 void every_kind_arrives_as_it_was(World& world) {
@@ -368,6 +381,7 @@ const std::vector<Check>& checks() {
       check("WhoComesLaterIsFound", who_comes_later_is_found),
       check("NobodyIsPublishedTo", nobody_is_published_to),
       check("AStrangerOfAnotherVersionIsHeard", a_stranger_of_another_version_is_heard),
+      check("MessagesComeAfterTheirSenderAppeared", messages_come_after_their_sender_appeared),
       check("EveryKindArrivesAsItWas", every_kind_arrives_as_it_was),
       check("MessagesOfAKindKeepTheirOrder", messages_of_a_kind_keep_their_order),
       check("OnlyWhoIsAddressedReceives", only_who_is_addressed_receives),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct Check {
   std::string name;
   std::function<Breach(World&)> run;
 };
+
+inline void PrintTo(const Check& check, std::ostream* out) {
+  *out << check.name;
+}
 
 const std::vector<Check>& checks();
 const Check& check_named(const std::string& name);

@@ -59,6 +59,34 @@ TEST(DdsBusClusters, ThatShareADomainKnowNothingOfEachOther) {
   EXPECT_FALSE((*stranger)->take());
 }
 
+// A worker that left with tasks untaken deadlocked the coordinator in one of a hundred runs.
+TEST(DdsBusRegression, WorkersThatLeaveWithFullQueuesLeaveTheCoordinatorAtWork) {
+  using namespace std::chrono_literals;
+  const DdsOptions options = local_dds(Transport::kUdp);
+  const auto made = make_dds_bus(Role::kCoordinator, options);
+  ASSERT_TRUE(made);
+  Bus& coordinator = **made;
+  for (int round = 0; round < 40; ++round) {
+    auto worker = make_dds_bus(Role::kWorker, options);
+    ASSERT_TRUE(worker);
+    const EndpointId id = (*worker)->self();
+    while (!coordinator.is_present(id)) {
+      coordinator.wait_for_event(10ms);
+      while (coordinator.take()) {
+      }
+    }
+    const TaskBatch batch{1, {}, {}, {{{1, 0}, Bytes(3000)}}};
+    while (coordinator.publish(id, batch) == Published::kSent) {
+    }
+    worker->reset();
+    while (coordinator.is_present(id)) {
+      coordinator.wait_for_event(10ms);
+      while (coordinator.take()) {
+      }
+    }
+  }
+}
+
 TEST(DdsOptions, ThatMakeNoSenseAreRefusedWithASentence) {
   const auto fault = [](const auto& spoil) {
     DdsOptions options;

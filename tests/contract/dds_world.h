@@ -23,6 +23,10 @@ inline DdsOptions local_dds(DdsOptions::Transport transport) {
   return options;
 }
 
+inline void PrintTo(DdsOptions::Transport transport, std::ostream* out) {
+  *out << (transport == DdsOptions::Transport::kUdp ? "UDP" : "shared memory");
+}
+
 class DdsWorld final : public bus_contract::World {
  public:
   explicit DdsWorld(DdsOptions options) : options_(std::move(options)) {}

@@ -89,7 +89,10 @@ TEST_P(PlanningOverTheWire, MakesTheSamePlanToTheBit) {
 INSTANTIATE_TEST_SUITE_P(Scenes, PlanningOverTheWire,
                          testing::Values("adaptive-mobile", "low-mobile-16", "low-manipulator-02",
                                          "mixed-floor", "mixed-cell", "drones-12", "rack-drones",
-                                         "depot-map", "fleet-0050", "random-crossing-0100"),
+                                         "depot-map", "fleet-0050", "fleet-1000",
+                                         "random-crossing-0100", "panda-four", "ur5e-pair",
+                                         "peer-hallways-08", "high-mobile", "low-manipulator-16",
+                                         "ros-floor", "carts-6", "peer-planar-cross-008"),
                          [](const auto& param_info) {
                            std::string name = param_info.param;
                            std::ranges::replace(name, '-', '_');

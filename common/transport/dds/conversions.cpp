@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/transport/message_limits.h"
+
 namespace accord::dds {
 namespace {
 
@@ -16,7 +18,51 @@ TaskKey from_wire(const wire::Key& key) {
   return {key.task(), key.epoch()};
 }
 
+using eprosima::fastcdr::Cdr;
+
+// The next sequence's length, its elements still to come.
+bool length_is_at_most(std::size_t most, Cdr& in) {
+  std::uint32_t length = 0;
+  in >> length;
+  return length <= most;
+}
+
+void skip_head(Cdr& in) {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  in >> from >> to;
+}
+
 }  // namespace
+
+bool counts_are_sound(const wire::TaskBatch*, Cdr& in) {
+  skip_head(in);
+  std::uint64_t request = 0;
+  SceneHash scene;
+  in >> request >> scene.bytes;
+  std::vector<std::uint8_t> hierarchy;
+  in >> hierarchy;
+  return length_is_at_most(kBatchItems, in);
+}
+
+bool counts_are_sound(const wire::ResultBatch*, Cdr& in) {
+  skip_head(in);
+  return length_is_at_most(kBatchItems, in);
+}
+
+bool counts_are_sound(const wire::Command*, Cdr& in) {
+  skip_head(in);
+  std::uint8_t kind = 0;
+  in >> kind;
+  return length_is_at_most(kKeys, in);
+}
+
+bool counts_are_sound(const wire::Heartbeat*, Cdr& in) {
+  skip_head(in);
+  std::uint32_t idle_threads = 0;
+  in >> idle_threads;
+  return length_is_at_most(kKeys, in);
+}
 
 void to_wire(const TaskBatch& message, wire::TaskBatch& out) {
   const auto& [request, scene, hierarchy, tasks] = message;

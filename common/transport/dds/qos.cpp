@@ -83,7 +83,6 @@ void add_addresses(const DdsOptions& options, DomainParticipantQos& qos) {
 template <typename Qos>
 void bound(std::size_t depth, Qos& qos) {
   qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-  qos.durability().kind = VOLATILE_DURABILITY_QOS;
   qos.history().kind = KEEP_ALL_HISTORY_QOS;
   qos.resource_limits().max_samples = static_cast<std::int32_t>(depth);
   qos.resource_limits().max_instances = 1;
@@ -111,6 +110,11 @@ DataWriterQos writer_qos(std::size_t depth) {
   using namespace std::chrono_literals;
   DataWriterQos qos;
   bound(depth, qos);
+  // Readers are volatile, so nobody gets old samples. But a volatile writer deletes them as they
+  // are acknowledged, and when that is because a reader leaves, it may deadlock with the thread
+  // that sends again (Fast DDS 2.9.1: the locators' lock and the flow controller's, taken in either
+  // order). This one deletes them when it needs room.
+  qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
   // How long a write waits where the history is full. It must not be 0: the wait covers locks, too.
   qos.reliability().max_blocking_time = duration(5ms);
   auto& times = qos.reliable_writer_qos().times;
@@ -125,6 +129,7 @@ DataReaderQos reader_qos(std::size_t depth) {
   using namespace std::chrono_literals;
   DataReaderQos qos;
   bound(depth, qos);
+  qos.durability().kind = VOLATILE_DURABILITY_QOS;
   qos.reliable_reader_qos().times.initialAcknackDelay = duration(0ms);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = duration(0ms);
   return qos;

@@ -15,7 +15,7 @@ namespace accord::dds {
 
 struct TopicTraits {
   const char* name;          // after accord/vN/, but for announcements
-  std::size_t writer_depth;  // samples on their way to a peer
+  std::size_t writer_depth;  // samples on their way to a peer; kept until there are more
   std::size_t reader_depth;  // samples that wait to be taken, of all peers
 };
 
@@ -23,7 +23,7 @@ struct TopicTraits {
 inline constexpr std::array<TopicTraits, kMessageKinds> kTopics = {{
     {"tasks", 64, 128},
     {"commands", 256, 512},
-    {"scenes", 64, 128},
+    {"scenes", 16, 64},
     {"announcements", 64, 4096},
     {"results", 256, 8192},
     {"heartbeats", 64, 8192},
