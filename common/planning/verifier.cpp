@@ -30,6 +30,15 @@ std::optional<Violation> check_robots(const Subject& subject, unsigned threads) 
   return earliest;
 }
 
+// Threads that are worth starting: on small plans they would take longer to start than to work.
+unsigned worthwhile(unsigned threads, const Subject& subject) {
+  constexpr std::size_t kWaypointsPerThread = 1000;
+  std::size_t waypoints = 0;
+  for (const Trajectory* path : subject.paths) waypoints += path->size();
+  return static_cast<unsigned>(
+      std::clamp<std::size_t>(waypoints / kWaypointsPerThread, 1, std::max(threads, 1U)));
+}
+
 Verdict refuted(Violation violation) {
   return {std::move(violation), std::nullopt, std::nullopt};
 }
@@ -38,11 +47,11 @@ Verdict refuted(Violation violation) {
 
 Verdict verify(const std::shared_ptr<const Scene>& scene, const Plan& plan, unsigned threads,
                Beyond beyond) {
-  threads = std::max(threads, 1U);
   if (auto violation = check_form(*scene, plan)) return refuted(*std::move(violation));
 
   const CollisionWorld world(scene, kProofMargin);
   const Subject subject{*scene, world, paths_in_order(*scene, plan)};
+  threads = beyond == Beyond::kNothing ? worthwhile(threads, subject) : std::max(threads, 1U);
   std::optional<Violation> earliest = check_robots(subject, threads);
   const TimeSlabs slabs(subject);
   PairsResult pairs = check_pairs(subject, slabs, threads, beyond == Beyond::kSeparations);
