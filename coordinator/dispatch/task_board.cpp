@@ -95,7 +95,9 @@ void TaskBoard::drop_from(WorkerRecord& worker, TaskId id) {
   worker.tasks.erase(id);
   worker.begun.erase(id);
   worker.unheard.erase(id);
-  if (worker.tasks.empty()) worker.load = 0;  // no rounding adds up
+  if (!worker.tasks.empty()) return;
+  worker.load = 0;  // no rounding adds up
+  worker.is_alone_with_suspect = false;
 }
 
 void TaskBoard::on_event(const BusEvent& event, Time now) {
@@ -118,6 +120,8 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
     return;
   }
   if (std::holds_alternative<PeerLost>(event.what)) give_up(event.peer, "was lost", true);
+  const auto found = workers_.find(event.peer);
+  if (found != workers_.end()) found->second.blocked_until = now;  // it can be reached
 }
 
 void TaskBoard::on_announcement(EndpointId id, const Announcement& announcement, Time now) {
@@ -166,7 +170,7 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
       finish(id, FinishedTask::How::kDone, item.resolution, sender, "");
       return;
     case ResultItem::Outcome::kHandedBack:
-      take_back(id, false, "");
+      take_back(id, false, "it was handed back: " + item.text);
       return;
     case ResultItem::Outcome::kRefused:
       task.refused_by.insert(sender);
@@ -241,7 +245,7 @@ void TaskBoard::on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, T
   }
   for (const TaskId id : lost) {
     drop_from(worker, id);
-    take_back(id, false, "");
+    take_back(id, false, "it got lost on its way");
   }
 }
 
@@ -269,13 +273,25 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
     begun.insert(*task);
   }
   worker.load = 0;
+  worker.is_alone_with_suspect = false;
+  const std::string trouble = "worker " + to_string(id) +
+                              (worker.info.host.empty() ? "" : " on " + worker.info.host) + " " +
+                              why;
   for (const TaskId task : tasks) {
-    take_back(task, is_lost && begun.contains(task),
-              "worker " + to_string(id) + " on " + worker.info.host + " " + why);
+    if (is_lost && begun.contains(task)) {
+      blame(task, begun.size() == 1, trouble);
+    } else {
+      take_back(task, false, trouble);
+    }
   }
   if (!is_lost) return;
   ++counters_.workers_lost;
   workers_.erase(found);
+}
+
+void TaskBoard::blame(TaskId id, bool was_alone, const std::string& why) {
+  tasks_.at(id).is_suspect = true;
+  take_back(id, was_alone, why);
 }
 
 void TaskBoard::on_time(Time now) {
@@ -308,6 +324,7 @@ std::optional<TaskBoard::Time> TaskBoard::next_deadline() const {
 // while a result travels.
 bool TaskBoard::has_room(const WorkerRecord& worker) const {
   if (worker.standing != WorkerRecord::Standing::kWelcome) return false;
+  if (worker.is_alone_with_suspect) return false;
   const auto threads = static_cast<double>(worker.info.threads);
   return worker.tasks.size() < worker.info.threads ||
          worker.load < 2 * threads * seconds(settings_.batch);
@@ -334,6 +351,7 @@ TaskBoard::Worker TaskBoard::least_loaded(const Task& task) {
   for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
     if (!has_room(worker->second) || task.refused_by.contains(worker->first)) continue;
     if (task.subproblem.size() > worker->second.info.task_bytes) continue;
+    if (task.is_suspect && !worker->second.tasks.empty()) continue;
     if (best == workers_.end() || load(worker->second) < load(best->second)) best = worker;
   }
   return best;
@@ -355,11 +373,12 @@ void TaskBoard::assign() {
   for (auto& [id, request] : requests_) assign(id, request);
 }
 
-// Long tasks go first and alone, short ones in batches.
+// Suspects go first, then long tasks, short ones in batches.
 void TaskBoard::assign(RequestId request_id, Request& request) {
   std::vector<TaskId> waiting(request.waiting.begin(), request.waiting.end());
-  std::ranges::stable_sort(waiting, std::greater{},
-                           [&](TaskId id) { return tasks_.at(id).weight; });
+  std::ranges::stable_sort(waiting, std::greater{}, [&](TaskId id) {
+    return std::pair(tasks_.at(id).is_suspect, tasks_.at(id).weight);
+  });
   for (std::size_t next = 0; next < waiting.size();) {
     const Task& first = tasks_.at(waiting[next]);
     const Worker worker = least_loaded(first);
@@ -383,7 +402,7 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       const bool fits = load + expected <= seconds(settings_.batch) &&
                         bytes + task.subproblem.size() <= kBatchBytes &&
                         task.subproblem.size() <= record.info.task_bytes &&
-                        !task.refused_by.contains(worker->first);
+                        !task.refused_by.contains(worker->first) && !task.is_suspect;
       if (!batch.tasks.empty() && !fits) break;
       task.load = expected;
       load += expected;
@@ -393,6 +412,10 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       request.waiting.erase(waiting[next]);
       batch.tasks.push_back({{waiting[next], task.epoch}, task.subproblem});
       ++counters_.assigned;
+      if (!task.is_suspect) continue;
+      record.is_alone_with_suspect = true;
+      ++next;
+      break;
     }
     record.outbox.emplace_back(std::move(batch));
   }

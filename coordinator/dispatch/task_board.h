@@ -8,7 +8,8 @@
 //     worker that was given up still says is late and dropped;
 //   * what a link has swallowed, a task or its result, is noticed from heartbeats, and done again;
 //   * a task whose workers die of it is given out a few times only (Settings::deaths), then it is
-//     finished as quarantined, so that it cannot take down one worker after the other.
+//     finished as quarantined, so that it cannot take down one worker after the other. Where a
+//     worker had begun several, each of these goes to a worker of its own next, to find the one.
 // Who gets which task, and when, depends on speeds and deaths; what comes back must not (that
 // solvers are deterministic is their own business).
 //
@@ -98,7 +99,8 @@ class TaskBoard {
     double load = 0;  // s: what it was expected to take when it was assigned
     std::uint32_t epoch = 0;
     std::optional<Time> sent;  // to whom it is assigned
-    unsigned deaths = 0;
+    bool is_suspect = false;   // a worker was lost that had begun it, and others
+    unsigned deaths = 0;       // of workers that had begun nothing else
     std::set<EndpointId> refused_by;
     std::string last_trouble;
   };
@@ -114,6 +116,8 @@ class TaskBoard {
   void give_up(EndpointId id, const std::string& why, bool lost);
   // Back among those that wait, under a new epoch, if it has not died too often.
   void take_back(TaskId id, bool is_to_blame, const std::string& why);
+  // A worker was lost while it had begun it, alone or with others.
+  void blame(TaskId id, bool was_alone, const std::string& why);
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);

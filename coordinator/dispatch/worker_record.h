@@ -38,6 +38,7 @@ struct WorkerRecord {
   std::set<TaskId> tasks;              // in hand
   std::set<TaskId> begun;              // of these, as far as it has said
   std::map<TaskId, unsigned> unheard;  // of these: heartbeats in a row that did not name them
+  bool is_alone_with_suspect = false;  // its only task is one that others may have died of
   double load = 0;                     // s: what is expected of them
   std::deque<Message> outbox;
   std::optional<SceneDelivery> delivery;  // after what is in the outbox

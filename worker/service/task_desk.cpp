@@ -79,15 +79,19 @@ void TaskDesk::on_event(const BusEvent& event, Time now) {
     return;
   }
   if (std::holds_alternative<PeerAppeared>(event.what)) {
-    if (coordinator_ == event.peer) drop_coordinator();  // it has given this worker up meanwhile
-    speak_at_ = now;
+    if (!coordinator_) speak_at_ = now;
     return;
   }
   const Message& message = std::get<Message>(event.what);
   if (coordinator_ == event.peer) heard_ = now;
   if (const auto* command = std::get_if<Command>(&message)) on_command(event.peer, *command, now);
-  if (coordinator_ != event.peer) return;  // only who has welcomed it gives it work
-  if (const auto* batch = std::get_if<TaskBatch>(&message)) on_batch(event.peer, *batch, now);
+  const auto* batch = std::get_if<TaskBatch>(&message);
+  if (batch != nullptr && !coordinator_) {  // it has overtaken the welcome
+    coordinator_ = event.peer;
+    heard_ = now;
+  }
+  if (coordinator_ != event.peer) return;  // only who has taken it on gives it work
+  if (batch != nullptr) on_batch(event.peer, *batch, now);
   if (const auto* piece = std::get_if<ScenePiece>(&message)) on_piece(*piece, now);
 }
 

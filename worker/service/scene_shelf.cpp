@@ -1,0 +1,96 @@
+#include "worker/service/scene_shelf.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/collision_world.h"
+#include "common/geometry/tolerances.h"
+#include "common/io/wire/resolution_codec.h"
+#include "common/io/wire/scene_codec.h"
+#include "common/io/wire/subproblem_codec.h"
+#include "worker/worker.h"
+
+namespace accord {
+namespace {
+
+ResultItem trouble(ResultItem::Outcome outcome, std::string text) {
+  ResultItem item;
+  item.outcome = outcome;
+  item.text = std::move(text);
+  return item;
+}
+
+}  // namespace
+
+// A scene, and a worker in it for every hierarchy that was asked for: they keep their roadmaps.
+struct SceneShelf::Ready {
+  explicit Ready(std::shared_ptr<const Scene> from)
+      : scene(std::move(from)), world(scene, kPlanningMargin) {}
+
+  const Worker& worker(const std::vector<std::string>& solvers) const {
+    const std::lock_guard lock(mutex);
+    auto& worker = workers[solvers];
+    if (!worker) worker = std::make_unique<Worker>(world, solvers);
+    return *worker;
+  }
+
+  std::shared_ptr<const Scene> scene;
+  CollisionWorld world;
+  mutable std::mutex mutex;
+  mutable std::map<std::vector<std::string>, std::unique_ptr<Worker>> workers;
+};
+
+SceneShelf::SceneShelf() = default;
+SceneShelf::~SceneShelf() = default;
+
+tl::expected<void, std::string> SceneShelf::add(const SceneHash& hash, BytesView bytes) {
+  auto scene = decode_scene(bytes);
+  if (!scene) return tl::unexpected(scene.error());
+  auto ready = std::make_shared<const Ready>(*scene);
+  const std::lock_guard lock(mutex_);
+  scenes_[hash] = std::move(ready);
+  return {};
+}
+
+void SceneShelf::remove(const SceneHash& hash) {
+  const std::lock_guard lock(mutex_);
+  scenes_.erase(hash);
+}
+
+std::shared_ptr<const SceneShelf::Ready> SceneShelf::find(const SceneHash& hash) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = scenes_.find(hash);
+  return found == scenes_.end() ? nullptr : found->second;
+}
+
+ResultItem SceneShelf::solve(const TaskDesk::Job& job, const std::atomic<bool>& stop) const {
+  const auto ready = find(job.scene);
+  if (!ready) return trouble(ResultItem::Outcome::kHandedBack, "the scene is not here any more");
+  const auto solvers = decode_hierarchy(job.hierarchy);
+  if (!solvers) return trouble(ResultItem::Outcome::kRefused, "hierarchy: " + solvers.error());
+  const auto is_unknown = [](const std::string& name) { return make_solver(name) == nullptr; };
+  const auto unknown = std::ranges::find_if(*solvers, is_unknown);
+  if (unknown != solvers->end()) {
+    return trouble(ResultItem::Outcome::kRefused, "hierarchy: no solver \"" + *unknown + "\"");
+  }
+  const auto subproblem = decode_subproblem(job.subproblem, *ready->scene);
+  if (!subproblem) {
+    return trouble(ResultItem::Outcome::kRefused, "subproblem: " + subproblem.error());
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  ResultItem item;
+  try {
+    item.resolution = encode_resolution(ready->worker(*solvers).solve(*subproblem, stop));
+  } catch (const std::bad_alloc&) {
+    return trouble(ResultItem::Outcome::kFailed, "not enough memory");
+  }
+  if (stop) return trouble(ResultItem::Outcome::kHandedBack, "stopped");
+  item.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return item;
+}
+
+}  // namespace accord
