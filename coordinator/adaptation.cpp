@@ -188,7 +188,8 @@ bool Adaptation::grow_local(const Subproblem& subproblem, const std::vector<Robo
   if (subproblem.whole) {
     std::vector<RobotId> everyone = candidates;
     for (const Outsider& outsider : subproblem.outsiders) everyone.push_back(outsider.robot);
-    return take_in(everyone, kTakenInAtOnce, growth) > 0;
+    if (take_in(everyone, kTakenInAtOnce, growth) > 0) return true;
+    return ++growth.retries <= Growth::kRetries;
   }
   if (growth.window % 2 == 1 && take_in(candidates, kTakenInAtOnce, growth) > 0) return true;
   return grow_window(subproblem, growth);

@@ -177,6 +177,9 @@ Subproblem SubproblemFactory::create(const Conflict& conflict, const Growth& gro
     cut(conflict, growth, schedule, board, members, out);
   }
   if (growth.lockstep) return out;
+  // Until the last try the solvers are not to go to their own limits, but to begin anew.
+  out.limits.decoupled_samples <<= growth.retries;
+  if (growth.retries < Growth::kRetries) out.limits.last_factor = 1;
   add_outsiders(schedule, board, growth.to_the_end, growth.shortsighted, out);
   return out;
 }

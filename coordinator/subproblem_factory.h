@@ -18,12 +18,15 @@ namespace accord {
 
 // How far a conflict's subproblem has been grown. (Alg. 2, line 11: AdaptSubProblem)
 struct Growth {
+  static constexpr unsigned kRetries = 4;  // the last one of them is the last try
+
   unsigned window = 0;         // doublings of the time window and of the region's margin
   bool shortsighted = false;   // outsiders are avoided only until shortly after the conflict
   bool crowd = false;          // many robots, which look a short time ahead
   bool lockstep = false;       // a crowd, discs or balls, that is too large for the levels
   bool to_the_end = false;     // the window ends with the paths, the region is the whole space
   std::set<RobotId> taken_in;  // robots beyond the conflicting pair
+  unsigned retries = 0;        // of the whole problem of all its robots, with more samples each
   unsigned attempts = 0;       // all in all
 };
 

@@ -98,6 +98,23 @@ TEST_F(AdaptationTest, EndsWhenTheWholeProblemIsExhaustedAndNobodyElseIsThere) {
   EXPECT_TRUE(subproblem().whole);
 }
 
+// Another try often finds what one missed, and costs little next to the last one.
+TEST_F(AdaptationTest, TriesTheWholeProblemAgainWithMoreSamplesBeforeItGoesToTheLimits) {
+  build_pair(false);
+  while (!subproblem().whole) ASSERT_TRUE(grow());
+  Subproblem before = subproblem();
+  EXPECT_EQ(before.limits.last_factor, 1U);
+  for (unsigned retry = 1; retry <= Growth::kRetries; ++retry) {
+    ASSERT_TRUE(grow());
+    const Subproblem again = subproblem();
+    EXPECT_NE(again.seed, before.seed);
+    EXPECT_EQ(again.limits.decoupled_samples, 2 * before.limits.decoupled_samples);
+    before = again;
+  }
+  EXPECT_GT(before.limits.last_factor, 1U);
+  EXPECT_FALSE(grow());
+}
+
 TEST_F(AdaptationTest, LooksAheadLessBeforeItLooksAtMore) {
   build_pair(true);
   const Subproblem before = subproblem();
