@@ -1,0 +1,179 @@
+// Real worker processes over DDS on 127.0.0.1: planning with them, and what happens when they are
+// killed, stopped, and asked to end.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <functional>
+#include <list>
+#include <string>
+
+#include "client/engine/local_workforce.h"
+#include "common/geometry/tolerances.h"
+#include "common/io/scene_file.h"
+#include "common/planning/random.h"
+#include "coordinator/arc.h"
+#include "coordinator/dispatch/remote_workforce.h"
+#include "tests/contract/dds_world.h"
+
+namespace accord {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+// An accord-worker, killed when this goes.
+class WorkerProcess {
+ public:
+  explicit WorkerProcess(const DdsOptions& options) : child_(fork()) {
+    if (child_ != 0) return;
+    const std::string domain = std::to_string(options.domain);
+    execl(ACCORD_WORKER, ACCORD_WORKER, "--domain", domain.c_str(), "--cluster",
+          options.cluster.c_str(), "--transport", "udp", "--interface", "127.0.0.1", "--log", "off",
+          nullptr);
+    _exit(127);
+  }
+  ~WorkerProcess() {
+    if (child_ > 0) {
+      signal(SIGKILL);
+      wait();
+    }
+  }
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  void signal(int number) const { kill(child_, number); }
+  int wait() {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    child_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t child_;
+};
+
+class WorkerProcesses : public ::testing::Test {
+ protected:
+  WorkerProcesses() : options_(local_dds(DdsOptions::Transport::kUdp)) {
+    auto bus = make_dds_bus(Role::kCoordinator, options_);
+    if (!bus) throw std::runtime_error(bus.error());
+    bus_ = std::move(*bus);
+  }
+
+  void start_worker() { workers_.emplace_back(options_); }
+
+  // Plans with whoever is there; `at_turn` is called at every turn of the loop.
+  std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene,
+                               const std::function<void()>& at_turn = {}) {
+    const auto began = Clock::now();
+    RemoteWorkforce workforce(*bus_, board_, ++request_, scene, default_solver_names(),
+                              [&](Bus& bus, std::optional<TaskBoard::Time> deadline) {
+                                if (Clock::now() - began > 60s) throw std::runtime_error("stuck");
+                                if (at_turn) at_turn();
+                                const TaskBoard::Time now = Clock::now() - began_;
+                                auto wait = TaskBoard::Time(50ms);
+                                if (deadline)
+                                  wait = std::clamp(*deadline - now, TaskBoard::Time(0), wait);
+                                bus.wait_for_event(wait);
+                                return TaskBoard::Time(Clock::now() - began_);
+                              });
+    return paths_of(scene, workforce);
+  }
+
+  static std::vector<Trajectory> plan_in_process(const std::shared_ptr<const Scene>& scene) {
+    const CollisionWorld world(scene, kPlanningMargin);
+    LocalWorkforce workforce(world, default_solver_names(), 1);
+    return paths_of(scene, workforce);
+  }
+
+  static std::vector<Trajectory> paths_of(const std::shared_ptr<const Scene>& scene,
+                                          Workforce& workforce) {
+    const CollisionWorld planning(scene, kPlanningMargin);
+    const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
+    const std::atomic<bool> stop{false};
+    Arc arc(planning, detection, 1, workforce, stop, {});
+    EXPECT_EQ(arc.run().status, PlanStatus::kSolved);
+    std::vector<Trajectory> paths;
+    for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
+      paths.push_back(arc.schedule().path({id}));
+    }
+    return paths;
+  }
+
+  static std::shared_ptr<const Scene> scene_of(const std::string& name) {
+    return load_scene(ACCORD_SOURCE_DIR "/scenes/" + name + ".yaml").scene;
+  }
+
+  DdsOptions options_;
+  std::unique_ptr<Bus> bus_;
+  TaskBoard board_{TaskBoard::Settings{}};
+  Clock::time_point began_ = Clock::now();
+  RequestId request_ = 0;
+  std::list<WorkerProcess> workers_;
+};
+
+TEST_F(WorkerProcesses, PlanAsOneProcessDoes) {
+  start_worker();
+  for (const char* name : {"peer-inlet", "adaptive-mobile", "mixed-cell"}) {
+    const auto scene = scene_of(name);
+    EXPECT_EQ(plan(scene), plan_in_process(scene)) << name;
+  }
+  start_worker();
+  const auto scene = scene_of("low-mobile-32");
+  EXPECT_EQ(plan(scene), plan_in_process(scene));
+  EXPECT_EQ(board_.counters().reassigned, 0U);
+}
+
+TEST_F(WorkerProcesses, MayBeKilledAtAnyMoment) {
+  const auto scene = scene_of("mixed-floor");
+  const auto expected = plan_in_process(scene);
+  start_worker();
+  start_worker();
+  RandomStream random(1);
+  auto next = Clock::now() + 300ms;
+  int killed = 0;
+  const auto paths = plan(scene, [&] {
+    if (Clock::now() < next || killed == 4) return;
+    workers_.pop_front();  // kill -9
+    start_worker();
+    ++killed;
+    next = Clock::now() + std::chrono::milliseconds(100 + random.below(300));
+  });
+  EXPECT_EQ(paths, expected);
+  EXPECT_GT(killed, 0);
+}
+
+TEST_F(WorkerProcesses, MayHangPastTheirLeaseAndComeBack) {
+  const auto scene = scene_of("mixed-floor");
+  const auto expected = plan_in_process(scene);
+  start_worker();
+  start_worker();
+  const auto stop_at = Clock::now() + 400ms, go_on_at = stop_at + 1500ms;
+  bool stopped = false, went_on = false;
+  const auto hang = [&] {
+    if (!stopped && Clock::now() >= stop_at) {
+      workers_.front().signal(SIGSTOP);
+      stopped = true;
+    }
+    if (stopped && !went_on && Clock::now() >= go_on_at) {
+      workers_.front().signal(SIGCONT);
+      went_on = true;
+    }
+  };
+  EXPECT_EQ(plan(scene, hang), expected);
+  workers_.front().signal(SIGCONT);
+}
+
+TEST_F(WorkerProcesses, EndInOrderWhenAskedTo) {
+  start_worker();
+  const auto scene = scene_of("peer-inlet");
+  plan(scene);
+  workers_.front().signal(SIGTERM);
+  EXPECT_EQ(workers_.front().wait(), 0);
+}
+
+}  // namespace
+}  // namespace accord

@@ -1,0 +1,77 @@
+#include "worker/service/worker_loop.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+namespace accord {
+namespace {
+
+// Who is asked to end is given so long for what it has begun.
+constexpr auto kPatience = std::chrono::seconds(10);
+
+}  // namespace
+
+WorkerLoop::WorkerLoop(Bus& bus, const TaskDesk::Settings& settings)
+    : bus_(bus), desk_(settings), threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {}
+
+void WorkerLoop::drain() {
+  drain_ = true;
+  bus_.wake();
+}
+
+void WorkerLoop::run() {
+  std::optional<TaskDesk::Time> end;
+  std::optional<EndpointId> coordinator;
+  while (true) {
+    if (drain_ && !end) {
+      desk_.leave();
+      end = now() + kPatience;
+      spdlog::info("leaving: no more tasks");
+    }
+    turn();
+    if (desk_.coordinator() != coordinator) {
+      coordinator = desk_.coordinator();
+      if (coordinator) spdlog::info("works for coordinator {}", to_string(*coordinator));
+      if (!coordinator) {
+        spdlog::info("works for nobody{}{}", desk_.refusal().empty() ? "" : ": ", desk_.refusal());
+      }
+    }
+    if (end && (desk_.is_idle() || now() >= *end)) return;
+    const TaskDesk::Time time = now();
+    const auto deadline = desk_.next_deadline();
+    auto wait = TaskDesk::Time(std::chrono::milliseconds(100));
+    if (deadline) wait = std::clamp(*deadline - time, TaskDesk::Time(0), wait);
+    bus_.wait_for_event(wait);
+  }
+}
+
+void WorkerLoop::turn() {
+  const TaskDesk::Time time = now();
+  while (const auto event = bus_.take()) desk_.on_event(*event, time);
+  while (auto outcome = threads_.take()) {
+    if (auto* ended = std::get_if<JobThreads::Ended>(&*outcome)) {
+      desk_.on_ended(ended->job, std::move(ended->result));
+    } else {
+      const auto& scene = std::get<JobThreads::SceneOutcome>(*outcome);
+      if (scene.why_not.empty()) {
+        desk_.on_scene_ready(scene.scene);
+      } else {
+        spdlog::warn("a scene is of no use: {}", scene.why_not);
+        desk_.on_scene_unusable(scene.scene, scene.why_not);
+      }
+    }
+  }
+  desk_.on_time(time);
+  while (auto scene = desk_.take_scene()) threads_.make_ready(std::move(*scene));
+  for (const SceneHash& scene : desk_.take_forgotten()) shelf_.remove(scene);
+  for (const TaskKey& key : desk_.take_revoked()) threads_.stop(key);
+  while (auto job = desk_.next_job(time)) threads_.start(std::move(*job));
+  while (const auto out = desk_.next_outgoing(time)) {
+    desk_.on_published(bus_.publish(out->to, out->message), time);
+  }
+}
+
+}  // namespace accord
