@@ -179,6 +179,7 @@ class Cluster {
         not_done[finished->task] = *finished;
       } else if (finished->resolution != solution_of(payload_of(finished->task))) {
         board.reject(*finished, "it does not hold");
+        ++rejected;
       } else {
         EXPECT_TRUE(done.insert(finished->task).second) << "finished twice";
       }
@@ -219,6 +220,7 @@ class Cluster {
   }
 
   TaskBoard board{TaskBoard::Settings{}};
+  int rejected = 0;
   std::set<TaskId> done;
   std::map<TaskId, FinishedTask> not_done;
   SimulatedNetwork& network() { return network_; }
@@ -279,11 +281,14 @@ TEST(TaskBoard, QuarantinesATaskThatKillsThreeWorkers) {
 
 TEST(TaskBoard, DistrustsWhoeverReturnsWhatDoesNotHold) {
   Cluster cluster(5);
-  cluster.start_worker(milliseconds(1)).lies = true;
+  ScriptedWorker& liar = cluster.start_worker(milliseconds(1));
+  liar.lies = true;
   cluster.start_worker(milliseconds(5));
   cluster.submit(1, 40);
   EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
   EXPECT_EQ(cluster.done.size(), 40U);
+  EXPECT_EQ(cluster.rejected, 1) << "it is not asked again";
+  EXPECT_EQ(cluster.board.workers().at(liar.id()).standing, WorkerRecord::Standing::kDistrusted);
 }
 
 TEST(TaskBoard, AsksOthersWhereAWorkerFails) {
@@ -316,6 +321,45 @@ TEST(TaskBoard, DropsWhatHasEnded) {
   cluster.done.clear();
   EXPECT_TRUE(cluster.run(std::chrono::seconds(5)));
   for (const TaskId task : cluster.done) EXPECT_GE(task, 1000U);
+}
+
+// A worker that had lost its task, and was given it again, answers the first time after all.
+TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
+  constexpr EndpointId kWorker{7};
+  TaskBoard board{TaskBoard::Settings{}};
+  Announcement announcement;
+  announcement.threads = 1;
+  announcement.task_bytes = 100;
+  board.on_event({kWorker, Message(announcement)}, Time(0));
+  RequestWork work;
+  work.request = 1;
+  board.add(std::move(work), {{5, payload_of(5), 1}});
+  const auto send_all = [&](Time now) {
+    std::optional<TaskKey> assigned;
+    while (const auto out = board.next_outgoing(now)) {
+      if (const auto* batch = std::get_if<TaskBatch>(&out->message)) assigned = batch->tasks[0].key;
+      board.on_published(out->to, Published::kSent, now);
+    }
+    return assigned;
+  };
+  const auto first = send_all(Time(0));
+  ASSERT_TRUE(first);
+  for (int beat = 2; beat < 6; ++beat) {  // heartbeats that name no task
+    board.on_event({kWorker, Message(Heartbeat{})}, milliseconds(100 * beat));
+  }
+  const auto second = send_all(milliseconds(600));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->task, first->task);
+  EXPECT_GT(second->epoch, first->epoch);
+
+  ResultItem late;
+  late.key = *first;
+  board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(610));
+  EXPECT_FALSE(board.take_finished());
+  EXPECT_EQ(board.counters().late, 1U);
+  late.key = *second;
+  board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(620));
+  EXPECT_TRUE(board.take_finished());
 }
 
 // Kills, cut links, and messages that are lost, come twice or out of order, at random moments.
