@@ -7,14 +7,10 @@
 #include <cstdlib>
 #include <list>
 
-#include "client/engine/local_workforce.h"
-#include "common/geometry/tolerances.h"
-#include "common/io/scene_file.h"
-#include "common/io/wire/resolution_codec.h"
 #include "common/planning/random.h"
 #include "common/transport/simulated_network.h"
-#include "coordinator/arc.h"
 #include "coordinator/dispatch/remote_workforce.h"
+#include "tests/support/planned_paths.h"
 #include "worker/service/scene_shelf.h"
 #include "worker/service/task_desk.h"
 
@@ -110,21 +106,7 @@ class Cluster {
     RemoteWorkforce workforce(
         *bus_, board_, 1, scene, default_solver_names(),
         [this](Bus&, std::optional<Time> deadline) { return turn(deadline); });
-    return paths_of(scene, workforce);
-  }
-
-  static std::vector<Trajectory> paths_of(const std::shared_ptr<const Scene>& scene,
-                                          Workforce& workforce) {
-    const CollisionWorld planning(scene, kPlanningMargin);
-    const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
-    const std::atomic<bool> stop{false};
-    Arc arc(planning, detection, 1, workforce, stop, {});
-    EXPECT_EQ(arc.run().status, PlanStatus::kSolved);
-    std::vector<Trajectory> paths;
-    for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
-      paths.push_back(arc.schedule().path({id}));
-    }
-    return paths;
+    return testing::planned_paths(scene, workforce);
   }
 
   const TaskBoard& board() const { return board_; }
@@ -214,22 +196,12 @@ class Cluster {
   int strikes_ = 0;
 };
 
-std::shared_ptr<const Scene> scene_of(const std::string& name) {
-  return load_scene(ACCORD_SOURCE_DIR "/scenes/" + name + ".yaml").scene;
-}
-
-std::vector<Trajectory> plan_in_process(const std::shared_ptr<const Scene>& scene) {
-  const CollisionWorld world(scene, kPlanningMargin);
-  LocalWorkforce workforce(world, default_solver_names(), 1);
-  return Cluster::paths_of(scene, workforce);
-}
-
 class Clusters : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Clusters, PlanAsOneProcessDoesWhateverTheNumberOfWorkers) {
-  const auto scene = scene_of(GetParam());
+  const auto scene = testing::example_scene(GetParam());
   ASSERT_NE(scene, nullptr);
-  const auto expected = plan_in_process(scene);
+  const auto expected = testing::paths_planned_in_process(scene);
   for (const int workers : {1, 2, 4, 9}) {
     Cluster cluster(1, false);
     for (int i = 0; i < workers; ++i) cluster.start_worker();
@@ -248,8 +220,8 @@ TEST(SufferingClusters, PlanAsOnAQuietDay) {
   const std::uint64_t clusters = told != nullptr ? std::strtoull(told, nullptr, 10) : 150;
   std::uint64_t lost = 0, reassigned = 0, failures = 0;
   for (const char* name : {"peer-parallel-008", "low-mobile-08", "adaptive-mobile"}) {
-    const auto scene = scene_of(name);
-    const auto expected = plan_in_process(scene);
+    const auto scene = testing::example_scene(name);
+    const auto expected = testing::paths_planned_in_process(scene);
     for (std::uint64_t seed = 1; seed <= clusters / 3; ++seed) {
       Cluster cluster(seed, true);
       for (int i = 0; i < 3; ++i) cluster.start_worker();

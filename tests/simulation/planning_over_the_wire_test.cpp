@@ -2,14 +2,13 @@
 // that it is given and each resolution that it returns have gone through the codecs.
 #include <gtest/gtest.h>
 
-#include "client/engine/local_workforce.h"
 #include "common/geometry/tolerances.h"
 #include "common/io/scene_file.h"
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
 #include "common/planning/schedule.h"
-#include "coordinator/arc.h"
+#include "tests/support/planned_paths.h"
 #include "worker/worker.h"
 
 namespace accord {
@@ -56,43 +55,28 @@ class WorkersBehindTheWire final : public Workers {
   }
 };
 
-std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene, Workforce& workforce) {
-  const CollisionWorld planning(scene, kPlanningMargin);
-  const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
-  const std::atomic<bool> stop{false};
-  Arc arc(planning, detection, 1, workforce, stop, {});
-  const Outcome outcome = arc.run();
-  EXPECT_EQ(outcome.status, PlanStatus::kSolved) << outcome.message;
-  std::vector<Trajectory> paths;
-  for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
-    paths.push_back(arc.schedule().path({id}));
-  }
-  return paths;
-}
-
-class PlanningOverTheWire : public testing::TestWithParam<const char*> {};
+class PlanningOverTheWire : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PlanningOverTheWire, MakesTheSamePlanToTheBit) {
-  const auto scene =
-      load_scene(ACCORD_SOURCE_DIR "/scenes/" + std::string(GetParam()) + ".yaml").scene;
+  const auto scene = testing::example_scene(GetParam());
   ASSERT_NE(scene, nullptr);
   const Bytes bytes = encode_scene(*scene);
   const auto copy = decode_scene(bytes);
   ASSERT_TRUE(copy) << copy.error();
   Workers here(scene);
   WorkersBehindTheWire there(*copy);
-  EXPECT_EQ(plan(scene, here), plan(scene, there));
+  EXPECT_EQ(testing::planned_paths(scene, here), testing::planned_paths(scene, there));
   RecordProperty("scene_bytes", static_cast<int>(bytes.size()));
   RecordProperty("largest_subproblem_bytes", static_cast<int>(there.largest));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PlanningOverTheWire,
-                         testing::Values("adaptive-mobile", "low-mobile-16", "low-manipulator-02",
-                                         "mixed-floor", "mixed-cell", "drones-12", "rack-drones",
-                                         "depot-map", "fleet-0050", "fleet-1000",
-                                         "random-crossing-0100", "panda-four", "ur5e-pair",
-                                         "peer-hallways-08", "high-mobile", "low-manipulator-16",
-                                         "ros-floor", "carts-6", "peer-planar-cross-008"),
+                         ::testing::Values("adaptive-mobile", "low-mobile-16", "low-manipulator-02",
+                                           "mixed-floor", "mixed-cell", "drones-12", "rack-drones",
+                                           "depot-map", "fleet-0050", "fleet-1000",
+                                           "random-crossing-0100", "panda-four", "ur5e-pair",
+                                           "peer-hallways-08", "high-mobile", "low-manipulator-16",
+                                           "ros-floor", "carts-6", "peer-planar-cross-008"),
                          [](const auto& param_info) {
                            std::string name = param_info.param;
                            std::ranges::replace(name, '-', '_');

@@ -9,13 +9,10 @@
 #include <list>
 #include <string>
 
-#include "client/engine/local_workforce.h"
-#include "common/geometry/tolerances.h"
-#include "common/io/scene_file.h"
 #include "common/planning/random.h"
-#include "coordinator/arc.h"
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/contract/dds_world.h"
+#include "tests/support/planned_paths.h"
 
 namespace accord {
 namespace {
@@ -80,31 +77,7 @@ class WorkerProcesses : public ::testing::Test {
                                 bus.wait_for_event(wait);
                                 return TaskBoard::Time(Clock::now() - began_);
                               });
-    return paths_of(scene, workforce);
-  }
-
-  static std::vector<Trajectory> plan_in_process(const std::shared_ptr<const Scene>& scene) {
-    const CollisionWorld world(scene, kPlanningMargin);
-    LocalWorkforce workforce(world, default_solver_names(), 1);
-    return paths_of(scene, workforce);
-  }
-
-  static std::vector<Trajectory> paths_of(const std::shared_ptr<const Scene>& scene,
-                                          Workforce& workforce) {
-    const CollisionWorld planning(scene, kPlanningMargin);
-    const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
-    const std::atomic<bool> stop{false};
-    Arc arc(planning, detection, 1, workforce, stop, {});
-    EXPECT_EQ(arc.run().status, PlanStatus::kSolved);
-    std::vector<Trajectory> paths;
-    for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
-      paths.push_back(arc.schedule().path({id}));
-    }
-    return paths;
-  }
-
-  static std::shared_ptr<const Scene> scene_of(const std::string& name) {
-    return load_scene(ACCORD_SOURCE_DIR "/scenes/" + name + ".yaml").scene;
+    return testing::planned_paths(scene, workforce);
   }
 
   DdsOptions options_;
@@ -118,18 +91,18 @@ class WorkerProcesses : public ::testing::Test {
 TEST_F(WorkerProcesses, PlanAsOneProcessDoes) {
   start_worker();
   for (const char* name : {"peer-inlet", "adaptive-mobile", "mixed-cell"}) {
-    const auto scene = scene_of(name);
-    EXPECT_EQ(plan(scene), plan_in_process(scene)) << name;
+    const auto scene = testing::example_scene(name);
+    EXPECT_EQ(plan(scene), testing::paths_planned_in_process(scene)) << name;
   }
   start_worker();
-  const auto scene = scene_of("low-mobile-32");
-  EXPECT_EQ(plan(scene), plan_in_process(scene));
+  const auto scene = testing::example_scene("low-mobile-32");
+  EXPECT_EQ(plan(scene), testing::paths_planned_in_process(scene));
   EXPECT_EQ(board_.counters().reassigned, 0U);
 }
 
 TEST_F(WorkerProcesses, MayBeKilledAtAnyMoment) {
-  const auto scene = scene_of("mixed-floor");
-  const auto expected = plan_in_process(scene);
+  const auto scene = testing::example_scene("mixed-floor");
+  const auto expected = testing::paths_planned_in_process(scene);
   start_worker();
   start_worker();
   RandomStream random(1);
@@ -147,8 +120,8 @@ TEST_F(WorkerProcesses, MayBeKilledAtAnyMoment) {
 }
 
 TEST_F(WorkerProcesses, MayHangPastTheirLeaseAndComeBack) {
-  const auto scene = scene_of("mixed-floor");
-  const auto expected = plan_in_process(scene);
+  const auto scene = testing::example_scene("mixed-floor");
+  const auto expected = testing::paths_planned_in_process(scene);
   start_worker();
   start_worker();
   const auto stop_at = Clock::now() + 400ms, go_on_at = stop_at + 1500ms;
@@ -169,7 +142,7 @@ TEST_F(WorkerProcesses, MayHangPastTheirLeaseAndComeBack) {
 
 TEST_F(WorkerProcesses, EndInOrderWhenAskedTo) {
   start_worker();
-  const auto scene = scene_of("peer-inlet");
+  const auto scene = testing::example_scene("peer-inlet");
   plan(scene);
   workers_.front().signal(SIGTERM);
   EXPECT_EQ(workers_.front().wait(), 0);

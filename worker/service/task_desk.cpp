@@ -220,11 +220,8 @@ void TaskDesk::on_time(Time now) {
              std::holds_alternative<Announcement>(pending.message);
     };
     std::erase_if(outbox_, is_old);
-    if (coordinator_) {
-      say_alive(now);
-    } else {
-      announce();
-    }
+    if (coordinator_) say_alive(now);
+    if (!coordinator_ || leaving_) announce();
   }
   for (auto& [hash, wanted] : wanted_) {
     if (now - wanted.asked < settings_.patience || !coordinator_) continue;

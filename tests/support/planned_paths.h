@@ -1,0 +1,45 @@
+// The paths that ARC plans with a given workforce: what must not depend on who does the work.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/engine/local_workforce.h"
+#include "common/geometry/tolerances.h"
+#include "common/io/scene_file.h"
+#include "coordinator/arc.h"
+#include "worker/solver.h"
+
+namespace accord::testing {
+
+inline std::vector<Trajectory> planned_paths(const std::shared_ptr<const Scene>& scene,
+                                             Workforce& workforce) {
+  const CollisionWorld planning(scene, kPlanningMargin);
+  const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
+  const std::atomic<bool> stop{false};
+  Arc arc(planning, detection, 1, workforce, stop, {});
+  const Outcome outcome = arc.run();
+  EXPECT_EQ(outcome.status, PlanStatus::kSolved) << outcome.message;
+  std::vector<Trajectory> paths;
+  for (std::uint32_t id = 0; id < scene->robots.size(); ++id) {
+    paths.push_back(arc.schedule().path({id}));
+  }
+  return paths;
+}
+
+inline std::vector<Trajectory> paths_planned_in_process(const std::shared_ptr<const Scene>& scene) {
+  const CollisionWorld world(scene, kPlanningMargin);
+  LocalWorkforce workforce(world, default_solver_names(), 1);
+  return planned_paths(scene, workforce);
+}
+
+// One of scenes/.
+inline std::shared_ptr<const Scene> example_scene(const std::string& name) {
+  return load_scene(ACCORD_SOURCE_DIR "/scenes/" + name + ".yaml").scene;
+}
+
+}  // namespace accord::testing
