@@ -9,7 +9,6 @@
 #include <list>
 #include <string>
 
-#include "common/planning/random.h"
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/contract/dds_world.h"
 #include "tests/support/planned_paths.h"
@@ -105,15 +104,15 @@ TEST_F(WorkerProcesses, MayBeKilledAtAnyMoment) {
   const auto expected = testing::paths_planned_in_process(scene);
   start_worker();
   start_worker();
-  RandomStream random(1);
-  auto next = Clock::now() + 300ms;
+  // Each time a few more tasks have been given out.
   int killed = 0;
   const auto paths = plan(scene, [&] {
-    if (Clock::now() < next || killed == 4) return;
+    if (board_.counters().assigned < 4 * static_cast<std::uint64_t>(killed + 1) || killed == 4) {
+      return;
+    }
     workers_.pop_front();  // kill -9
     start_worker();
     ++killed;
-    next = Clock::now() + std::chrono::milliseconds(100 + random.below(300));
   });
   EXPECT_EQ(paths, expected);
   EXPECT_GT(killed, 0);
@@ -124,19 +123,16 @@ TEST_F(WorkerProcesses, MayHangPastTheirLeaseAndComeBack) {
   const auto expected = testing::paths_planned_in_process(scene);
   start_worker();
   start_worker();
-  const auto stop_at = Clock::now() + 400ms, go_on_at = stop_at + 1500ms;
-  bool stopped = false, went_on = false;
+  std::optional<Clock::time_point> stopped;
   const auto hang = [&] {
-    if (!stopped && Clock::now() >= stop_at) {
+    if (!stopped && board_.counters().assigned >= 4) {
       workers_.front().signal(SIGSTOP);
-      stopped = true;
+      stopped = Clock::now();
     }
-    if (stopped && !went_on && Clock::now() >= go_on_at) {
-      workers_.front().signal(SIGCONT);
-      went_on = true;
-    }
+    if (stopped && Clock::now() >= *stopped + 1500ms) workers_.front().signal(SIGCONT);
   };
   EXPECT_EQ(plan(scene, hang), expected);
+  EXPECT_TRUE(stopped);
   workers_.front().signal(SIGCONT);
 }
 
