@@ -8,6 +8,7 @@
 #include <functional>
 #include <list>
 #include <string>
+#include <thread>
 
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/contract/dds_world.h"
@@ -53,7 +54,9 @@ class WorkerProcess {
 
 class WorkerProcesses : public ::testing::Test {
  protected:
-  WorkerProcesses() : options_(local_dds(DdsOptions::Transport::kUdp)) {
+  WorkerProcesses() : options_(local_dds(DdsOptions::Transport::kUdp)) { join(); }
+
+  void join() {
     auto bus = make_dds_bus(Role::kCoordinator, options_);
     if (!bus) throw std::runtime_error(bus.error());
     bus_ = std::move(*bus);
@@ -134,6 +137,33 @@ TEST_F(WorkerProcesses, MayHangPastTheirLeaseAndComeBack) {
   EXPECT_EQ(plan(scene, hang), expected);
   EXPECT_TRUE(stopped);
   workers_.front().signal(SIGCONT);
+}
+
+// Past the lease of DDS, which may keep it apart for good.
+TEST_F(WorkerProcesses, AreFoundAgainWhereTheyWereForgotten) {
+  const auto scene = testing::example_scene("peer-inlet");
+  const auto expected = testing::paths_planned_in_process(scene);
+  start_worker();
+  EXPECT_EQ(plan(scene), expected);
+  workers_.front().signal(SIGSTOP);
+  for (const auto end = Clock::now() + 3s; Clock::now() < end;) {
+    while (const auto event = bus_->take()) board_.on_event(*event, Clock::now() - began_);
+    bus_->wait_for_event(50ms);
+  }
+  workers_.front().signal(SIGCONT);
+  EXPECT_EQ(plan(scene), expected);
+}
+
+// So long that they have joined anew meanwhile.
+TEST_F(WorkerProcesses, WorkForTheCoordinatorThatComesAfterOneThatIsGone) {
+  const auto scene = testing::example_scene("peer-inlet");
+  start_worker();
+  const auto expected = plan(scene);
+  bus_.reset();
+  std::this_thread::sleep_for(6s);
+  board_ = TaskBoard(TaskBoard::Settings{});
+  join();
+  EXPECT_EQ(plan(scene), expected);
 }
 
 TEST_F(WorkerProcesses, EndInOrderWhenAskedTo) {

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <new>
 #include <string>
 #include <thread>
@@ -80,6 +81,46 @@ sigset_t ending_signals() {
   return signals;
 }
 
+// The loop that is at work now, for the thread that takes signals.
+class Present {
+ public:
+  // nullptr: none. A loop that comes after a signal drains at once.
+  void set(accord::WorkerLoop* loop) {
+    const std::lock_guard lock(mutex_);
+    loop_ = loop;
+    if (loop_ != nullptr && is_over_) loop_->drain();
+  }
+  void drain() {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+    if (loop_ != nullptr) loop_->drain();
+  }
+
+ private:
+  std::mutex mutex_;
+  accord::WorkerLoop* loop_ = nullptr;
+  bool is_over_ = false;
+};
+
+// Joins the bus and works; again, where it has been forgotten.
+int work(const Options& options, Present& present) {
+  while (true) {
+    auto bus = accord::make_dds_bus(accord::Role::kWorker, options.dds);
+    if (!bus) {
+      std::cerr << "accord-worker: " << bus.error() << "\n";
+      return kNoBus;
+    }
+    spdlog::info("worker {} with {} threads in domain {}, cluster {}", to_string((*bus)->self()),
+                 options.threads, options.dds.domain, options.dds.cluster);
+    accord::WorkerLoop loop(**bus, settings_of(options));
+    present.set(&loop);
+    const auto end = loop.run();
+    present.set(nullptr);
+    if (end == accord::WorkerLoop::End::kDrained) return kEnded;
+    spdlog::info("no coordinator answers any more: joins anew");
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Solves subproblems for an Accord coordinator.", "accord-worker");
   app.set_version_flag("--version", ACCORD_VERSION);
@@ -95,24 +136,17 @@ int run(int argc, char** argv) {
 
   const sigset_t signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // for all threads to come
-  auto bus = accord::make_dds_bus(accord::Role::kWorker, options.dds);
-  if (!bus) {
-    std::cerr << "accord-worker: " << bus.error() << "\n";
-    return kNoBus;
-  }
-  spdlog::info("worker {} with {} threads in domain {}, cluster {}", to_string((*bus)->self()),
-               options.threads, options.dds.domain, options.dds.cluster);
-  accord::WorkerLoop loop(**bus, settings_of(options));
+  Present present;
   std::thread listener([&] {
     int signal = 0;
     sigwait(&signals, &signal);
-    loop.drain();
+    present.drain();
   });
-  loop.run();
+  const int code = work(options, present);
   pthread_kill(listener.native_handle(), SIGTERM);  // where it ended for another reason
   listener.join();
   spdlog::info("ended");
-  return kEnded;
+  return code;
 }
 
 }  // namespace

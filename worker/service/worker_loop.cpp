@@ -11,6 +11,9 @@ namespace {
 
 // Who is asked to end is given so long for what it has begun.
 constexpr auto kPatience = std::chrono::seconds(10);
+// Who had a coordinator and hears from none for so long is not found by it any more: DDS may keep
+// two apart for good of which only one has noticed that they were.
+constexpr auto kLonely = std::chrono::seconds(4);
 
 }  // namespace
 
@@ -22,8 +25,8 @@ void WorkerLoop::drain() {
   bus_.wake();
 }
 
-void WorkerLoop::run() {
-  std::optional<TaskDesk::Time> end;
+WorkerLoop::End WorkerLoop::run() {
+  std::optional<TaskDesk::Time> end, lonely_since;
   std::optional<EndpointId> coordinator;
   while (true) {
     if (drain_ && !end) {
@@ -35,11 +38,15 @@ void WorkerLoop::run() {
     if (desk_.coordinator() != coordinator) {
       coordinator = desk_.coordinator();
       if (coordinator) spdlog::info("works for coordinator {}", to_string(*coordinator));
+      lonely_since = coordinator ? std::nullopt : std::optional(now());
       if (!coordinator) {
         spdlog::info("works for nobody{}{}", desk_.refusal().empty() ? "" : ": ", desk_.refusal());
       }
     }
-    if (end && (desk_.is_idle() || now() >= *end)) return;
+    if (end && (desk_.is_idle() || now() >= *end)) return End::kDrained;
+    if (lonely_since && desk_.refusal().empty() && now() - *lonely_since >= kLonely) {
+      return End::kForgotten;
+    }
     const TaskDesk::Time time = now();
     const auto deadline = desk_.next_deadline();
     auto wait = TaskDesk::Time(std::chrono::milliseconds(100));

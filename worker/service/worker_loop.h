@@ -17,8 +17,11 @@ class WorkerLoop {
   // The bus must outlive this. Requires: settings.info.threads > 0.
   WorkerLoop(Bus& bus, const TaskDesk::Settings& settings);
 
-  // Works until drain() is called and what was begun is finished, or has taken too long to.
-  void run();
+  enum class End {
+    kDrained,    // drain() was called, and what was begun is finished or has taken too long to
+    kForgotten,  // the coordinator was lost and none has answered since: join anew
+  };
+  End run();
 
   // Hand back what has not begun, finish the rest, and end. From any thread; not from a signal
   // handler.
