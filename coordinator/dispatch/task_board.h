@@ -116,8 +116,6 @@ class TaskBoard {
   void give_up(EndpointId id, const std::string& why, bool lost);
   // Back among those that wait, under a new epoch, if it has not died too often.
   void take_back(TaskId id, bool is_to_blame, const std::string& why);
-  // A worker was lost while it had begun it, alone or with others.
-  void blame(TaskId id, bool was_alone, const std::string& why);
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);

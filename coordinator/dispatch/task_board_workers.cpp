@@ -89,20 +89,13 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
                               (worker.info.host.empty() ? "" : " on " + worker.info.host) + " " +
                               why;
   for (const TaskId task : tasks) {
-    if (is_lost && begun.contains(task)) {
-      blame(task, begun.size() == 1, trouble);
-    } else {
-      take_back(task, false, trouble);
-    }
+    const bool had_begun = is_lost && begun.contains(task);
+    if (had_begun) tasks_.at(task).is_suspect = true;
+    take_back(task, had_begun && begun.size() == 1, trouble);
   }
   if (!is_lost) return;
   ++counters_.workers_lost;
   workers_.erase(found);
-}
-
-void TaskBoard::blame(TaskId id, bool was_alone, const std::string& why) {
-  tasks_.at(id).is_suspect = true;
-  take_back(id, was_alone, why);
 }
 
 void TaskBoard::on_time(Time now) {

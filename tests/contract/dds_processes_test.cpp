@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/contract/dds_world.h"
+#include "tests/support/child_process.h"
 
 namespace accord {
 namespace {
@@ -18,42 +19,20 @@ namespace {
 using namespace std::chrono_literals;
 using Transport = DdsOptions::Transport;
 
-// A bus_peer, killed when this goes.
-class PeerProcess {
+class PeerProcess : public testing::ChildProcess {
  public:
-  explicit PeerProcess(const DdsOptions& options) : child_(fork()) {
-    if (child_ != 0) return;
-    const std::string domain = std::to_string(options.domain);
-    const char* transport = options.transport == Transport::kUdp            ? "udp"
-                            : options.transport == Transport::kSharedMemory ? "shm"
-                                                                            : "both";
-    execl(ACCORD_BUS_PEER, ACCORD_BUS_PEER, domain.c_str(), options.cluster.c_str(), transport,
-          nullptr);
-    _exit(127);
-  }
-  ~PeerProcess() {
-    if (child_ > 0) {
-      signal(SIGKILL);
-      wait();
-    }
-  }
-  PeerProcess(const PeerProcess&) = delete;
-  PeerProcess& operator=(const PeerProcess&) = delete;
-
-  pid_t id() const { return child_; }
-  void signal(int number) const { kill(child_, number); }
-  int wait() {
-    int status = 0;
-    waitpid(child_, &status, 0);
-    child_ = 0;
-    return status;
-  }
+  explicit PeerProcess(const DdsOptions& options)
+      : ChildProcess({ACCORD_BUS_PEER, std::to_string(options.domain), options.cluster,
+                      name_of(options.transport)}) {}
 
  private:
-  pid_t child_;
+  static const char* name_of(Transport transport) {
+    if (transport == Transport::kUdp) return "udp";
+    return transport == Transport::kSharedMemory ? "shm" : "both";
+  }
 };
 
-class DdsProcesses : public testing::Test {
+class DdsProcesses : public ::testing::Test {
  protected:
   void open(Transport transport) {
     options_ = local_dds(transport);

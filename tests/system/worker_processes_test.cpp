@@ -1,8 +1,6 @@
 // Real worker processes over DDS on 127.0.0.1: planning with them, and what happens when they are
 // killed, stopped, and asked to end.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <functional>
@@ -12,6 +10,7 @@
 
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/contract/dds_world.h"
+#include "tests/support/child_process.h"
 #include "tests/support/planned_paths.h"
 
 namespace accord {
@@ -20,36 +19,12 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// An accord-worker, killed when this goes.
-class WorkerProcess {
+class WorkerProcess : public testing::ChildProcess {
  public:
-  explicit WorkerProcess(const DdsOptions& options) : child_(fork()) {
-    if (child_ != 0) return;
-    const std::string domain = std::to_string(options.domain);
-    execl(ACCORD_WORKER, ACCORD_WORKER, "--domain", domain.c_str(), "--cluster",
-          options.cluster.c_str(), "--transport", "udp", "--interface", "127.0.0.1", "--log", "off",
-          nullptr);
-    _exit(127);
-  }
-  ~WorkerProcess() {
-    if (child_ > 0) {
-      signal(SIGKILL);
-      wait();
-    }
-  }
-  WorkerProcess(const WorkerProcess&) = delete;
-  WorkerProcess& operator=(const WorkerProcess&) = delete;
-
-  void signal(int number) const { kill(child_, number); }
-  int wait() {
-    int status = 0;
-    waitpid(child_, &status, 0);
-    child_ = 0;
-    return status;
-  }
-
- private:
-  pid_t child_;
+  explicit WorkerProcess(const DdsOptions& options)
+      : ChildProcess({ACCORD_WORKER, "--domain", std::to_string(options.domain), "--cluster",
+                      options.cluster, "--transport", "udp", "--interface", "127.0.0.1", "--log",
+                      "off"}) {}
 };
 
 class WorkerProcesses : public ::testing::Test {

@@ -28,6 +28,26 @@ Trajectory wander(RandomStream& random, double from, const Trajectory& before) {
   return path;
 }
 
+// Discs on random ways.
+struct Wanderers {
+  explicit Wanderers(std::uint64_t seed) : random(seed) {
+    for (std::uint32_t r = 0; r < kRobots; ++r) {
+      schedule.set_initial({r}, wander(random, 0, Trajectory(2)), "test");
+    }
+  }
+
+  static std::shared_ptr<const Scene> discs() {
+    testing::SceneBuilder builder(-20, -20, 20, 20);
+    for (std::uint32_t r = 0; r < kRobots; ++r) builder.disk(0.5, {0, 0}, {0, 0});
+    return builder.build();
+  }
+
+  RandomStream random;
+  std::shared_ptr<const Scene> scene = discs();
+  CollisionWorld world{scene, kPlanningMargin};
+  Schedule schedule{scene};
+};
+
 std::vector<Conflict> all_pairs(const CollisionWorld& world, const Schedule& schedule) {
   std::vector<Conflict> conflicts;
   for (std::uint32_t a = 0; a < kRobots; ++a) {
@@ -53,15 +73,8 @@ void expect_same(const std::set<Conflict, ConflictBoard::Earlier>& found,
 }
 
 TEST(ConflictBoard, AgreesWithLookingAtAllPairsAfterEveryChange) {
-  testing::SceneBuilder builder(-20, -20, 20, 20);
-  for (std::uint32_t r = 0; r < kRobots; ++r) builder.disk(0.5, {0, 0}, {0, 0});
-  const auto scene = builder.build();
-  const CollisionWorld world(scene, kPlanningMargin);
-  RandomStream random(11);
-  Schedule schedule(scene);
-  for (std::uint32_t r = 0; r < kRobots; ++r) {
-    schedule.set_initial({r}, wander(random, 0, Trajectory(2)), "test");
-  }
+  Wanderers fleet(11);
+  auto& [random, scene, world, schedule] = fleet;
   ConflictBoard board(world, schedule);
   board.look_at_all();
   expect_same(board.conflicts(), all_pairs(world, schedule));
@@ -80,15 +93,8 @@ TEST(ConflictBoard, AgreesWithLookingAtAllPairsAfterEveryChange) {
 }
 
 TEST(ConflictBoard, LooksNoFurtherAheadThanItIsAskedTo) {
-  testing::SceneBuilder builder(-20, -20, 20, 20);
-  for (std::uint32_t r = 0; r < kRobots; ++r) builder.disk(0.5, {0, 0}, {0, 0});
-  const auto scene = builder.build();
-  const CollisionWorld world(scene, kPlanningMargin);
-  RandomStream random(12);
-  Schedule schedule(scene);
-  for (std::uint32_t r = 0; r < kRobots; ++r) {
-    schedule.set_initial({r}, wander(random, 0, Trajectory(2)), "test");
-  }
+  Wanderers fleet(12);
+  auto& [random, scene, world, schedule] = fleet;
   const std::vector<Conflict> all = all_pairs(world, schedule);
   ASSERT_GT(all.size(), 6U);
   ConflictBoard board(world, schedule);
