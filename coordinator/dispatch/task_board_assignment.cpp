@@ -147,7 +147,9 @@ void TaskBoard::on_published(EndpointId to, Published outcome, Time now) {
   switch (outcome) {
     case Published::kSent:
       if (const auto* piece = std::get_if<ScenePiece>(&worker.outbox.front())) {
-        if (worker.delivery) worker.delivery->offset = piece->offset + piece->data.size();
+        if (worker.delivery && worker.delivery->scene == piece->scene) {
+          worker.delivery->offset = piece->offset + piece->data.size();
+        }
       }
       if (const auto* batch = std::get_if<TaskBatch>(&worker.outbox.front())) {
         for (const TaskItem& item : batch->tasks) {

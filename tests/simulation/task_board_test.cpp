@@ -362,6 +362,38 @@ TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
   EXPECT_TRUE(board.take_finished());
 }
 
+TEST(TaskBoard, SendsTheSceneThatWasAskedForLastFromItsBeginning) {
+  constexpr EndpointId kWorker{7};
+  TaskBoard board{TaskBoard::Settings{}};
+  Announcement announcement;
+  announcement.threads = 1;
+  board.on_event({kWorker, Message(announcement)}, Time(0));
+  SceneHash hashes[2];
+  for (std::uint8_t i = 0; i < 2; ++i) {
+    RequestWork work;
+    work.request = i;
+    hashes[i].bytes[0] = i;
+    work.scene = hashes[i];
+    work.scene_bytes = std::make_shared<const Bytes>(100, i);
+    board.add(std::move(work), {});
+  }
+  board.on_event({kWorker, Message(SceneRequest{hashes[0], 0})}, Time(0));
+  bool asked = false;
+  std::vector<ScenePiece> sent;
+  while (const auto out = board.next_outgoing(Time(0))) {
+    if (const auto* piece = std::get_if<ScenePiece>(&out->message)) {
+      sent.push_back(*piece);
+      // Asks for the other one while the first is on its way.
+      if (!asked) board.on_event({kWorker, Message(SceneRequest{hashes[1], 0})}, Time(0));
+      asked = true;
+    }
+    board.on_published(out->to, Published::kSent, Time(0));
+  }
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(sent[1].scene, hashes[1]);
+  EXPECT_EQ(sent[1].offset, 0U);
+}
+
 // Kills, cut links, and messages that are lost, come twice or out of order, at random moments.
 TEST(TaskBoard, LosesNothingInAThousandClustersThatSuffer) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
