@@ -20,6 +20,7 @@
 #include "client/plan_text.h"
 #include "client/progress_line.h"
 #include "common/io/plan_file.h"
+#include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
 
 namespace accord {
@@ -79,7 +80,7 @@ ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
   if (print_plan) {
     std::cout << json;
   } else if (solved && !options.quiet) {
-    std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.workers));
+    std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.threads));
   }
   if (!solved) std::cerr << unsolved_text(plan);
   return exit_code_of(plan.status);
@@ -111,7 +112,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
   command.add_option("-t,--timeout", options.timeout, "Give up after so many seconds")
       ->check(seconds(1e-3, 1e7));
   command
-      .add_option("-w,--workers", options.plan.workers,
+      .add_option("-w,--workers", options.plan.threads,
                   "Threads; the plan is the same for any number (default: one for each core)")
       ->transform(plain_integer())
       ->check(CLI::Range(1U, 1024U));
@@ -124,10 +125,10 @@ void add_options(CLI::App& command, CommandOptions& options) {
       .add_option_function<std::string>(
           "--solvers",
           [&options](const std::string& list) {
-            options.plan.solvers = solvers_in(list, solver_names());
+            options.plan.solvers = solvers_in(list, local_solver_names());
           },
           fmt::format("ARC's solvers for conflicts, tried in this order, of {} (default: {})",
-                      fmt::join(solver_names(), ","), fmt::join(default_solvers(), ",")))
+                      fmt::join(local_solver_names(), ","), fmt::join(default_solver_names(), ",")))
       ->type_name("NAME,...");
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
@@ -146,7 +147,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
 
 void add_plan_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  options->plan.workers = std::max(1U, std::thread::hardware_concurrency());
+  options->plan.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = app.add_subcommand(
       "plan", "Plan a scene: every robot from its start to its goal, proved free of collisions");
   add_options(*command, *options);

@@ -67,13 +67,15 @@ void TaskBoard::end(RequestId request) {
 }
 
 std::optional<FinishedTask> TaskBoard::take_finished() {
-  if (taken_) tasks_.erase(*taken_);
-  taken_.reset();
   if (finished_.empty()) return std::nullopt;
   FinishedTask task = std::move(finished_.front());
   finished_.pop_front();
-  taken_ = task.task;
+  if (task.how != FinishedTask::How::kDone) tasks_.erase(task.task);
   return task;
+}
+
+void TaskBoard::accept(TaskId task) {
+  tasks_.erase(task);
 }
 
 void TaskBoard::finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
@@ -185,7 +187,6 @@ void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
   }
   give_up(finished.worker, why, false);
   if (!tasks_.contains(finished.task)) return;  // the request has ended
-  taken_.reset();
   ++unfinished_;
   tasks_.at(finished.task).refused_by.insert(finished.worker);
   take_back(finished.task, false, why);
