@@ -25,14 +25,14 @@ RULES = {
 
 # Third parties' headers, and the folders that may include them.
 OWNERS = {
-    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h": ["common/transport"],
+    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|fleet\.h": ["common/transport"],
     r"google/protobuf/|.*\.pb\.h|openssl/": ["common/io/wire"],
     r"fcl/|ccd/": ["common/geometry"],
     r"yaml-cpp/|tinyxml2\.h|assimp/": ["common/io"],
     r"CLI/": ["client", "coordinator/main", "worker/main"],
 }
 # Of these, none may appear in a header: it would reach whoever includes that header.
-SOURCES_ONLY = r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|google/protobuf/|.*\.pb\.h|openssl/"
+SOURCES_ONLY = r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|fleet\.h|google/protobuf/|.*\.pb\.h|openssl/"
 # But for the headers of these folders, which only their own files and their parents' sources may
 # include.
 PRIVATE = ["common/transport/dds/"]
@@ -80,6 +80,7 @@ def self_test():
         ("coordinator/a.cpp", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", '#include "accordPubSubTypes.h"'),
+        ("common/transport/fleet/a.h", '#include "fleet.h"'),
         ("common/transport/a.h", '#include "common/transport/dds/b.h"'),
         ("worker/a.cpp", '#include "common/transport/dds/b.h"'),
         ("common/io/a.cpp", '#include "accord.pb.h"'),
