@@ -1,8 +1,6 @@
 // accord plan: from a scene to a proven plan.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iostream>
@@ -22,6 +20,7 @@
 #include "common/io/plan_file.h"
 #include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
+#include "common/runtime/log.h"
 
 namespace accord {
 namespace {
@@ -33,7 +32,7 @@ struct CommandOptions {
   double timeout = 0;  // s; 0: none
   bool json = false;
   bool quiet = false;
-  spdlog::level::level_enum log = spdlog::level::warn;
+  LogLevel log = LogLevel::kWarning;
 };
 
 ExitCode exit_code_of(PlanStatus status) {
@@ -63,13 +62,6 @@ Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const Command
   return plan(scene, request, report, &on_signal.cancelled());
 }
 
-void log_to_stderr(spdlog::level::level_enum least) {
-  const auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
-  auto logger = std::make_shared<spdlog::logger>("accord", sink);
-  logger->set_level(least);
-  spdlog::set_default_logger(std::move(logger));
-}
-
 ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
                   const CommandOptions& options) {
   const std::string json = to_json(plan);
@@ -88,7 +80,7 @@ ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
 
 ExitCode run(const CommandOptions& options) {
   refuse_overwriting(options.output, {options.scene});
-  log_to_stderr(options.log);
+  start_log("accord", {options.log, LogFormat::kText});
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
   const Plan plan = plan_with_progress(scene, options);
@@ -132,11 +124,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
       ->type_name("NAME,...");
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
-  const std::map<std::string, spdlog::level::level_enum> levels{{"debug", spdlog::level::debug},
-                                                                {"info", spdlog::level::info},
-                                                                {"warning", spdlog::level::warn},
-                                                                {"error", spdlog::level::err},
-                                                                {"off", spdlog::level::off}};
+  const std::map<std::string, LogLevel> levels(kLogLevels.begin(), kLogLevels.end());
   command
       .add_option("--log", options.log,
                   "Least level of what is logged to stderr; debug: a line for each subproblem")
