@@ -18,6 +18,7 @@ constexpr std::size_t kRefusals = 3;
 
 void TaskBoard::add(RequestWork work, std::vector<NewTask> tasks) {
   const RequestId id = work.request;
+  std::erase(idle_scenes_, work.scene);
   requests_[id].work = std::move(work);
   add(id, std::move(tasks));
 }
@@ -56,6 +57,13 @@ void TaskBoard::end(RequestId request) {
   const bool is_needed = std::ranges::any_of(
       requests_, [&](const auto& entry) { return entry.second.work.scene == scene; });
   if (is_needed) return;
+  idle_scenes_.push_back(scene);
+  if (idle_scenes_.size() <= settings_.idle_scenes) return;
+  forget(idle_scenes_.front());
+  idle_scenes_.pop_front();
+}
+
+void TaskBoard::forget(const SceneHash& scene) {
   for (auto& [id, worker] : workers_) {
     if (worker.delivery && worker.delivery->scene == scene) worker.delivery.reset();
     if (worker.scenes.erase(scene) == 0) continue;

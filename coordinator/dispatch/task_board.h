@@ -42,6 +42,7 @@ class TaskBoard {
     Time batch = std::chrono::milliseconds(2);        // of expected work that travels together
     Time retry = std::chrono::milliseconds(2);        // after a full link
     unsigned deaths = 3;                              // of workers, that quarantine a task
+    std::size_t idle_scenes = 4;  // that workers keep, with their roadmaps, for requests to come
   };
 
   struct Counters {
@@ -122,6 +123,7 @@ class TaskBoard {
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);
+  void forget(const SceneHash& scene);
   void assign();
   void assign(RequestId id, Request& request);
   using Worker = std::map<EndpointId, WorkerRecord>::iterator;
@@ -136,6 +138,7 @@ class TaskBoard {
   std::size_t unfinished_ = 0;
   std::map<RequestId, Request> requests_;  // in the order in which they came
   std::map<EndpointId, WorkerRecord> workers_;
+  std::deque<SceneHash> idle_scenes_;  // of no request any more; the longest first
   std::deque<FinishedTask> finished_;
   double seconds_per_weight_ = 1e-3;  // as measured; decides who gets what, never what comes back
   bool may_assign_ = false;           // something has changed since it was tried

@@ -25,7 +25,7 @@ RULES = {
 
 # Third parties' headers, and the folders that may include them.
 OWNERS = {
-    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h": ["common/transport"],
+    r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|fleet\.h": ["common/transport"],
     r"google/protobuf/|.*\.pb\.h|openssl/": ["common/io/wire"],
     r"fcl/|ccd/": ["common/geometry"],
     r"yaml-cpp/|tinyxml2\.h|assimp/": ["common/io"],
@@ -33,7 +33,7 @@ OWNERS = {
     r"prometheus/|CivetServer\.h|civetweb\.h": ["common/runtime/metrics"],
 }
 # Of these, none may appear in a header: it would reach whoever includes that header.
-SOURCES_ONLY = (r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|google/protobuf/|.*\.pb\.h|openssl/"
+SOURCES_ONLY = (r"fastdds/|fastrtps/|fastcdr/|.*PubSubTypes\.h|accord\.h|fleet\.h|google/protobuf/|.*\.pb\.h|openssl/"
                 r"|prometheus/|CivetServer\.h|civetweb\.h")
 # But for the headers of these folders, which only their own files and their parents' sources may
 # include.
@@ -82,6 +82,7 @@ def self_test():
         ("coordinator/a.cpp", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", '#include "accordPubSubTypes.h"'),
+        ("common/transport/fleet/a.h", '#include "fleet.h"'),
         ("common/transport/a.h", '#include "common/transport/dds/b.h"'),
         ("worker/a.cpp", '#include "common/transport/dds/b.h"'),
         ("common/io/a.cpp", '#include "accord.pb.h"'),

@@ -1,0 +1,122 @@
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <utility>
+
+#include "common/transport/dds/fleet/participant.h"
+#include "common/transport/dds/fleet/plan_sender.h"
+#include "common/transport/fleet/dds_fleet.h"
+#include "common/transport/fleet/fleet_limits.h"
+
+namespace accord {
+namespace {
+
+using namespace dds;
+using eprosima::fastdds::dds::DataReader;
+using eprosima::fastdds::dds::DataWriter;
+
+class WakingListener final : public eprosima::fastdds::dds::DataReaderListener {
+ public:
+  explicit WakingListener(std::function<void()> wake) : wake_(std::move(wake)) {}
+  void on_data_available(DataReader*) override { wake_(); }
+
+ private:
+  std::function<void()> wake_;
+};
+
+class DdsFleetService final : public FleetServicePort {
+ public:
+  explicit DdsFleetService(std::function<void()> wake) : listener_(std::move(wake)) {}
+
+  std::optional<std::string> open(const DdsOptions& options) {
+    auto participant =
+        FleetParticipant::create(options, kServiceRole, nullptr, &counters_.malformed);
+    if (!participant) return participant.error();
+    participant_ = std::move(*participant);
+    replies_ = participant_->add_writer<RequestReply>(nullptr);
+    states_ = participant_->add_writer<RequestState>(nullptr);
+    workers_ = participant_->add_writer<WorkerStatus>(nullptr);
+    service_ = participant_->add_writer<ServiceStatus>(nullptr);
+    DataWriter* outlines = participant_->add_writer<PlanOutline>(nullptr);
+    DataWriter* paths = participant_->add_writer<PathPiece>(nullptr);
+    // Readers last: a client that finds them finds all.
+    cancels_ = participant_->add_reader<CancelRequest>(&listener_);
+    resends_ = participant_->add_reader<ResendRequest>(&listener_);
+    requests_ = participant_->add_reader<PlanRequest>(&listener_);
+    for (const DataWriter* writer : {replies_, states_, workers_, service_, outlines, paths}) {
+      if (writer == nullptr) return "DDS refused a writer";
+    }
+    for (const DataReader* reader : {cancels_, resends_, requests_}) {
+      if (reader == nullptr) return "DDS refused a reader";
+    }
+    plans_.emplace(*outlines, *paths);
+    return std::nullopt;
+  }
+
+  std::optional<FleetRequest> take() override {
+    // What is short and urgent first.
+    if (auto cancel = take_from<CancelRequest>(*cancels_)) return cancel;
+    if (auto resend = take_from<ResendRequest>(*resends_)) return resend;
+    return take_from<PlanRequest>(*requests_);
+  }
+
+  void publish(const FleetNews& news) override {
+    const bool sent =
+        !fleet_fault(news) && std::visit([this](const auto& kind) { return send(kind); }, news);
+    ++(sent ? counters_.sent : counters_.unsent);
+  }
+
+  const FleetCounters& counters() const override { return counters_; }
+
+ private:
+  template <typename Request>
+  std::optional<FleetRequest> take_from(DataReader& reader) {
+    while (auto request = read<Request>(reader)) {
+      FleetRequest out = std::move(*request);
+      const auto fault = fleet_fault(out);
+      if (!fault) {
+        ++counters_.received;
+        return out;
+      }
+      ++counters_.malformed;
+      refuse(out, *fault);
+    }
+    return std::nullopt;
+  }
+
+  // Who asks for a plan with a program of its own may not know of our limits.
+  void refuse(const FleetRequest& request, const std::string& fault) {
+    const auto* plan = std::get_if<PlanRequest>(&request);
+    if (plan == nullptr || plan->id.size() > kFleetIdBytes) return;
+    publish(RequestReply{plan->id, false, Rejection::kTooLarge, {}, fault});
+  }
+
+  bool send(const RequestReply& reply) { return write(reply, *replies_); }
+  bool send(const RequestState& state) { return write(state, *states_); }
+  bool send(const WorkerStatus& worker) { return write(worker, *workers_); }
+  bool send(const ServiceStatus& service) { return write(service, *service_); }
+  bool send(const FinishedPlan& plan) { return plans_->send(plan); }
+
+  FleetCounters counters_;
+  WakingListener listener_;
+  DataWriter* replies_ = nullptr;
+  DataWriter* states_ = nullptr;
+  DataWriter* workers_ = nullptr;
+  DataWriter* service_ = nullptr;
+  DataReader* cancels_ = nullptr;
+  DataReader* resends_ = nullptr;
+  DataReader* requests_ = nullptr;
+  // Its threads have ended before what they call goes, and who writes before its writers.
+  std::unique_ptr<FleetParticipant> participant_;
+  std::optional<PlanSender> plans_;
+};
+
+}  // namespace
+
+tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
+    const DdsOptions& options, std::function<void()> wake) {
+  if (auto fault = options_fault(options)) return tl::unexpected(std::move(*fault));
+  auto service = std::make_unique<DdsFleetService>(std::move(wake));
+  if (auto fault = service->open(options)) return tl::unexpected(std::move(*fault));
+  return service;
+}
+
+}  // namespace accord
