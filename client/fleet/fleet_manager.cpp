@@ -12,6 +12,8 @@ constexpr auto kTurn = std::chrono::milliseconds(20);
 }  // namespace
 
 struct FleetManager::Waiting {
+  explicit Waiting(const PlanRequest& asked) : request(asked) {}
+
   const PlanRequest& request;
   Clock::time_point began = Clock::now();
   Clock::time_point ask_at = Clock::now();
@@ -21,7 +23,7 @@ struct FleetManager::Waiting {
 
 tl::expected<Plan, NoAnswer> FleetManager::plan(const PlanRequest& request, const OnState& on_state,
                                                 const std::atomic<bool>& stop) {
-  Waiting waiting{request};
+  Waiting waiting(request);
   while (true) {
     if (auto answer = take_news(waiting, on_state)) return std::move(*answer);
     const auto now = Clock::now();

@@ -28,14 +28,18 @@ Journal::Result<std::uint64_t> Journal::accept(const std::vector<AcceptedRequest
   return do_accept(requests);
 }
 
-Journal::Result<void> Journal::finish(std::string_view id, PlanStatus status, std::string_view plan,
-                                      double finished_at) {
-  if (!std::isfinite(finished_at)) return refuse(id, "finished at no time");
-  const auto found = do_find(id);
-  if (!found) return tl::unexpected(found.error());
-  if (!*found) return refuse(id, "is not in the journal");
-  if ((*found)->outcome) return refuse(id, "is finished already");
-  return do_finish(id, status, plan, finished_at);
+Journal::Result<void> Journal::finish(const std::vector<FinishedRequest>& requests) {
+  if (requests.empty()) return {};
+  std::unordered_set<std::string_view> ids;
+  for (const FinishedRequest& request : requests) {
+    if (!std::isfinite(request.finished_at)) return refuse(request.id, "finished at no time");
+    if (!ids.insert(request.id).second) return refuse(request.id, "is there twice");
+    const auto found = do_find(request.id);
+    if (!found) return tl::unexpected(found.error());
+    if (!*found) return refuse(request.id, "is not in the journal");
+    if ((*found)->outcome) return refuse(request.id, "is finished already");
+  }
+  return do_finish(requests);
 }
 
 Journal::Result<std::optional<JournalEntry>> Journal::find(std::string_view id) const {
@@ -43,15 +47,19 @@ Journal::Result<std::optional<JournalEntry>> Journal::find(std::string_view id) 
 }
 
 Journal::Result<std::vector<JournalEntry>> Journal::unfinished() const {
-  return do_unfinished();
+  return do_entries(true);
 }
 
-Journal::Result<Bytes> Journal::request(std::string_view id) const {
+Journal::Result<std::vector<JournalEntry>> Journal::entries() const {
+  return do_entries(false);
+}
+
+Journal::Result<Bytes> Journal::record(std::string_view id) const {
   const auto found = do_find(id);
   if (!found) return tl::unexpected(found.error());
   if (!*found) return refuse(id, "is not in the journal");
-  if ((*found)->outcome) return refuse(id, "is finished: its bytes are no longer kept");
-  return do_request(**found);
+  if ((*found)->outcome) return refuse(id, "is finished: its record is no longer kept");
+  return do_record(**found);
 }
 
 Journal::Result<std::string> Journal::plan(std::string_view id) const {

@@ -27,12 +27,18 @@
 
 namespace accord {
 
-// A request as its sender put it.
 struct AcceptedRequest {
   std::string id;
-  RequestHash hash;        // hash_of(request)
-  Bytes request;           // canonical: request_codec.h
+  RequestHash content;     // of what its sender put: tells requests of one id apart
+  Bytes record;            // all that it takes to finish it
   double accepted_at = 0;  // s since 1970, wall clock
+};
+
+struct FinishedRequest {
+  std::string id;
+  PlanStatus status = PlanStatus::kInvalid;
+  std::string plan;        // its plan file (to_json)
+  double finished_at = 0;  // s since 1970, wall clock
 };
 
 // What is known of a request without looking at its bytes, which may be many.
@@ -47,7 +53,7 @@ struct JournalEntry {
 
   std::uint64_t sequence = 0;  // from 1, in the order of acceptance; no number is given out twice
   std::string id;
-  RequestHash hash;
+  RequestHash content;
   double accepted_at = 0;          // s since 1970
   std::optional<Outcome> outcome;  // nullopt: unfinished
 
@@ -78,19 +84,19 @@ class Journal {
   // empty or is here already, or a time is no number.
   Result<std::uint64_t> accept(const std::vector<AcceptedRequest>& requests);
 
-  // Records what became of an unfinished request, and gives up its bytes. `plan`: its plan file
-  // (to_json). As durable as accept(). Where it fails the request stays unfinished; planned again,
-  // it has the same plan.
-  Result<void> finish(std::string_view id, PlanStatus status, std::string_view plan,
-                      double finished_at);
+  // Records what became of unfinished requests, all of them or none, and gives up their records. As
+  // durable as accept(), and as cheap for many. Where it fails the requests stay unfinished; planned
+  // again, they have the same plans.
+  Result<void> finish(const std::vector<FinishedRequest>& requests);
 
   Result<std::optional<JournalEntry>> find(std::string_view id) const;
-  // In the order of acceptance.
+  // In the order of acceptance: all there are, and those that are not finished.
+  Result<std::vector<JournalEntry>> entries() const;
   Result<std::vector<JournalEntry>> unfinished() const;
 
-  // The bytes of an unfinished request, and the plan file of a finished one, to the byte as they
+  // The record of an unfinished request, and the plan file of a finished one, to the byte as they
   // were given: what disks make of them is noticed, and is a failure.
-  Result<Bytes> request(std::string_view id) const;
+  Result<Bytes> record(std::string_view id) const;
   Result<std::string> plan(std::string_view id) const;
 
   // Forgets at most `most` of the requests that finished before `time` (s since 1970), those first
@@ -103,12 +109,11 @@ class Journal {
  private:
   // As the public ones, with arguments that are sound in themselves.
   virtual Result<std::uint64_t> do_accept(const std::vector<AcceptedRequest>& requests) = 0;
-  virtual Result<void> do_finish(std::string_view id, PlanStatus status, std::string_view plan,
-                                 double finished_at) = 0;
+  virtual Result<void> do_finish(const std::vector<FinishedRequest>& requests) = 0;
   virtual Result<std::optional<JournalEntry>> do_find(std::string_view id) const = 0;
-  virtual Result<std::vector<JournalEntry>> do_unfinished() const = 0;
+  virtual Result<std::vector<JournalEntry>> do_entries(bool unfinished_only) const = 0;
   // Require: there is such an entry, unfinished or finished, respectively.
-  virtual Result<Bytes> do_request(const JournalEntry& entry) const = 0;
+  virtual Result<Bytes> do_record(const JournalEntry& entry) const = 0;
   virtual Result<std::string> do_plan(const JournalEntry& entry) const = 0;
   virtual Result<std::size_t> do_forget(double time, std::size_t most) = 0;
   virtual Result<JournalCounts> do_counts() const = 0;

@@ -21,22 +21,23 @@ Journal::Result<std::uint64_t> MemoryJournal::do_accept(
     const std::vector<AcceptedRequest>& requests) {
   if (is_full()) return full();
   const std::uint64_t first = next_sequence_;
-  for (const auto& [id, hash, bytes, accepted_at] : requests) {
+  for (const auto& [id, content, bytes, accepted_at] : requests) {
     const std::uint64_t sequence = next_sequence_++;
-    records_.emplace(sequence, Record{{sequence, id, hash, accepted_at, {}}, bytes, {}});
+    records_.emplace(sequence, Record{{sequence, id, content, accepted_at, {}}, bytes, {}});
     by_id_.emplace(id, sequence);
   }
   return first;
 }
 
-Journal::Result<void> MemoryJournal::do_finish(std::string_view id, PlanStatus status,
-                                               std::string_view plan, double finished_at) {
+Journal::Result<void> MemoryJournal::do_finish(const std::vector<FinishedRequest>& requests) {
   if (is_full()) return full();
-  Record& record = records_.at(by_id_.find(id)->second);
-  record.entry.outcome = {status, finished_at};
-  record.plan = plan;
-  record.request = {};
-  by_finish_time_.emplace(finished_at, record.entry.sequence);
+  for (const auto& [id, status, plan, finished_at] : requests) {
+    Record& record = records_.at(by_id_.find(id)->second);
+    record.entry.outcome = {status, finished_at};
+    record.plan = plan;
+    record.record = {};
+    by_finish_time_.emplace(finished_at, record.entry.sequence);
+  }
   return {};
 }
 
@@ -46,16 +47,16 @@ Journal::Result<std::optional<JournalEntry>> MemoryJournal::do_find(std::string_
   return records_.at(found->second).entry;
 }
 
-Journal::Result<std::vector<JournalEntry>> MemoryJournal::do_unfinished() const {
+Journal::Result<std::vector<JournalEntry>> MemoryJournal::do_entries(bool unfinished_only) const {
   std::vector<JournalEntry> out;
   for (const auto& [sequence, record] : records_) {
-    if (!record.entry.outcome) out.push_back(record.entry);
+    if (!unfinished_only || !record.entry.outcome) out.push_back(record.entry);
   }
   return out;
 }
 
-Journal::Result<Bytes> MemoryJournal::do_request(const JournalEntry& entry) const {
-  return record_of(entry).request;
+Journal::Result<Bytes> MemoryJournal::do_record(const JournalEntry& entry) const {
+  return record_of(entry).record;
 }
 
 Journal::Result<std::string> MemoryJournal::do_plan(const JournalEntry& entry) const {
@@ -81,7 +82,7 @@ Journal::Result<JournalCounts> MemoryJournal::do_counts() const {
   counts.finished = by_finish_time_.size();
   counts.unfinished = records_.size() - counts.finished;
   for (const auto& [sequence, record] : records_) {
-    counts.bytes += record.request.size() + record.plan.size();
+    counts.bytes += record.record.size() + record.plan.size();
   }
   return counts;
 }

@@ -33,31 +33,32 @@ Result<SceneHash> checked_hash(BytesView bytes) {
   }
 }
 
-// An entry from the columns sequence, id, hash, accepted_at, status, finished_at.
+// An entry from the columns sequence, id, content, accepted_at, status, finished_at.
 Result<JournalEntry> entry_in(const SqliteQuery& row, const SqliteDatabase& database) {
   JournalEntry entry;
   entry.sequence = row.number(0);
   entry.id = row.text(1);
-  const BytesView hash = row.bytes(2);
+  const BytesView content = row.bytes(2);
   entry.accepted_at = row.real(3);
   const auto status = row.is_null(4) ? PlanStatus::kInvalid : status_in(row.text(4));
-  if (hash.size() != entry.hash.bytes.size() || !status) {
+  if (content.size() != entry.content.bytes.size() || !status) {
     return tl::unexpected(database.about("damaged: the entry of request " + in_quotes(entry.id)));
   }
-  std::ranges::copy(hash, entry.hash.bytes.begin());
+  std::ranges::copy(content, entry.content.bytes.begin());
   if (!row.is_null(4)) entry.outcome = {*status, row.real(5)};
   return entry;
 }
 
-// The bytes that are a query's only result, if they are those that went in.
-Result<BytesView> sound_bytes(SqliteQuery& query, const SceneHash& hash, const JournalEntry& entry,
+// The bytes that are a query's only result, with the hash that they had when they went in, if they
+// still have it.
+Result<BytesView> sound_bytes(SqliteQuery& query, const JournalEntry& entry,
                               const SqliteDatabase& database) {
   const auto row = query.next();
   if (!row) return tl::unexpected(row.error());
   const BytesView bytes = *row ? query.bytes(0) : BytesView();
   const auto found = checked_hash(bytes);
   if (!found) return tl::unexpected(found.error());
-  if (*row && *found == hash) return bytes;
+  if (*row && std::ranges::equal(found->bytes, query.bytes(1))) return bytes;
   return tl::unexpected(database.about("damaged: the bytes of request " + in_quotes(entry.id)));
 }
 
@@ -88,15 +89,21 @@ Result<std::uint64_t> SqliteJournal::do_accept(const std::vector<AcceptedRequest
   const auto transaction = SqliteTransaction::begin(*database_);
   if (!transaction) return tl::unexpected(transaction.error());
   std::uint64_t last = 0;
-  for (const auto& [id, hash, bytes, accepted_at] : requests) {
-    auto entered = database_->query("INSERT INTO requests (id, hash, accepted_at) VALUES (?, ?, ?)")
-                       .with(std::string_view(id))
-                       .with(BytesView(hash.bytes))
-                       .with(accepted_at)
-                       .run();
+  for (const auto& [id, content, bytes, accepted_at] : requests) {
+    const auto hash = checked_hash(bytes);
+    if (!hash) return tl::unexpected(hash.error());
+    auto entered =
+        database_
+            ->query(
+                "INSERT INTO requests (id, content, accepted_at, bytes_hash) VALUES (?, ?, ?, ?)")
+            .with(std::string_view(id))
+            .with(BytesView(content.bytes))
+            .with(accepted_at)
+            .with(BytesView(hash->bytes))
+            .run();
     if (!entered) return tl::unexpected(entered.error());
     last = database_->last_inserted();
-    entered = database_->query("INSERT INTO request_bytes (sequence, bytes) VALUES (?, ?)")
+    entered = database_->query("INSERT INTO record_bytes (sequence, bytes) VALUES (?, ?)")
                   .with(last)
                   .with(BytesView(bytes))
                   .run();
@@ -106,17 +113,27 @@ Result<std::uint64_t> SqliteJournal::do_accept(const std::vector<AcceptedRequest
   return last - requests.size() + 1;
 }
 
-Result<void> SqliteJournal::do_finish(std::string_view id, PlanStatus status, std::string_view plan,
-                                      double finished_at) {
-  const auto hash = checked_hash(bytes_of(plan));
-  if (!hash) return tl::unexpected(hash.error());
+Result<void> SqliteJournal::do_finish(const std::vector<FinishedRequest>& requests) {
   const auto transaction = SqliteTransaction::begin(*database_);
   if (!transaction) return tl::unexpected(transaction.error());
+  for (const FinishedRequest& request : requests) {
+    if (const auto done = store(request); !done) return done;
+  }
+  return (*transaction)->commit();
+}
+
+Result<void> SqliteJournal::store(const FinishedRequest& request) {
+  const auto& [id, status, plan, finished_at] = request;
+  const auto hash = checked_hash(bytes_of(plan));
+  if (!hash) return tl::unexpected(hash.error());
   SqliteQuery update = database_->query(
-      "UPDATE requests SET status = ?, finished_at = ?, plan_hash = ? WHERE id = ?"
+      "UPDATE requests SET status = ?, finished_at = ?, bytes_hash = ? WHERE id = ?"
       " RETURNING sequence");
-  const auto row =
-      update.with(to_string(status)).with(finished_at).with(BytesView(hash->bytes)).with(id).next();
+  const auto row = update.with(to_string(status))
+                       .with(finished_at)
+                       .with(BytesView(hash->bytes))
+                       .with(std::string_view(id))
+                       .next();
   if (!row) return tl::unexpected(row.error());
   const std::uint64_t sequence = update.number(0);
   auto done = update.run();
@@ -126,24 +143,25 @@ Result<void> SqliteJournal::do_finish(std::string_view id, PlanStatus status, st
              .with(bytes_of(plan))
              .run();
   if (!done) return done;
-  done = database_->query("DELETE FROM request_bytes WHERE sequence = ?").with(sequence).run();
-  if (!done) return done;
-  return (*transaction)->commit();
+  return database_->query("DELETE FROM record_bytes WHERE sequence = ?").with(sequence).run();
 }
 
 Result<std::optional<JournalEntry>> SqliteJournal::do_find(std::string_view id) const {
   SqliteQuery query = database_->query(
-      "SELECT sequence, id, hash, accepted_at, status, finished_at FROM requests WHERE id = ?");
+      "SELECT sequence, id, content, accepted_at, status, finished_at FROM requests WHERE id = ?");
   const auto row = query.with(id).next();
   if (!row) return tl::unexpected(row.error());
   if (!*row) return std::nullopt;
   return entry_in(query, *database_);
 }
 
-Result<std::vector<JournalEntry>> SqliteJournal::do_unfinished() const {
+Result<std::vector<JournalEntry>> SqliteJournal::do_entries(bool unfinished_only) const {
   SqliteQuery query = database_->query(
-      "SELECT sequence, id, hash, accepted_at, status, finished_at FROM requests"
-      " WHERE status IS NULL ORDER BY sequence");
+      unfinished_only
+          ? "SELECT sequence, id, content, accepted_at, status, finished_at FROM requests"
+            " WHERE status IS NULL ORDER BY sequence"
+          : "SELECT sequence, id, content, accepted_at, status, finished_at FROM requests"
+            " ORDER BY sequence");
   std::vector<JournalEntry> out;
   while (true) {
     const auto row = query.next();
@@ -155,26 +173,22 @@ Result<std::vector<JournalEntry>> SqliteJournal::do_unfinished() const {
   }
 }
 
-Result<Bytes> SqliteJournal::do_request(const JournalEntry& entry) const {
-  SqliteQuery query = database_->query("SELECT bytes FROM request_bytes WHERE sequence = ?");
+Result<Bytes> SqliteJournal::do_record(const JournalEntry& entry) const {
+  SqliteQuery query = database_->query(
+      "SELECT bytes, bytes_hash FROM record_bytes JOIN requests USING (sequence)"
+      " WHERE sequence = ?");
   query.with(entry.sequence);
-  const auto bytes = sound_bytes(query, entry.hash, entry, *database_);
+  const auto bytes = sound_bytes(query, entry, *database_);
   if (!bytes) return tl::unexpected(bytes.error());
   return Bytes(bytes->begin(), bytes->end());
 }
 
 Result<std::string> SqliteJournal::do_plan(const JournalEntry& entry) const {
-  SceneHash hash;
-  {
-    SqliteQuery query = database_->query("SELECT plan_hash FROM requests WHERE sequence = ?");
-    const auto row = query.with(entry.sequence).next();
-    if (!row) return tl::unexpected(row.error());
-    const BytesView bytes = query.bytes(0);
-    std::copy_n(bytes.begin(), std::min(bytes.size(), hash.bytes.size()), hash.bytes.begin());
-  }
-  SqliteQuery query = database_->query("SELECT bytes FROM plan_bytes WHERE sequence = ?");
+  SqliteQuery query = database_->query(
+      "SELECT bytes, bytes_hash FROM plan_bytes JOIN requests USING (sequence)"
+      " WHERE sequence = ?");
   query.with(entry.sequence);
-  const auto bytes = sound_bytes(query, hash, entry, *database_);
+  const auto bytes = sound_bytes(query, entry, *database_);
   if (!bytes) return tl::unexpected(bytes.error());
   return std::string(bytes->begin(), bytes->end());
 }

@@ -37,14 +37,15 @@ class SqliteJournal : public Journal {
   explicit SqliteJournal(std::unique_ptr<SqliteDatabase> database);
 
   Result<std::uint64_t> do_accept(const std::vector<AcceptedRequest>& requests) override;
-  Result<void> do_finish(std::string_view id, PlanStatus status, std::string_view plan,
-                         double finished_at) override;
+  Result<void> do_finish(const std::vector<FinishedRequest>& requests) override;
   Result<std::optional<JournalEntry>> do_find(std::string_view id) const override;
-  Result<std::vector<JournalEntry>> do_unfinished() const override;
-  Result<Bytes> do_request(const JournalEntry& entry) const override;
+  Result<std::vector<JournalEntry>> do_entries(bool unfinished_only) const override;
+  Result<Bytes> do_record(const JournalEntry& entry) const override;
   Result<std::string> do_plan(const JournalEntry& entry) const override;
   Result<std::size_t> do_forget(double time, std::size_t most) override;
   Result<JournalCounts> do_counts() const override;
+
+  Result<void> store(const FinishedRequest& request);
 
   std::unique_ptr<SqliteDatabase> database_;
 };

@@ -17,15 +17,15 @@ constexpr const char* kTables = R"(
   CREATE TABLE requests (
     sequence INTEGER PRIMARY KEY AUTOINCREMENT,
     id TEXT NOT NULL UNIQUE,
-    hash BLOB NOT NULL CHECK (length(hash) = 32),
+    content BLOB NOT NULL CHECK (length(content) = 32),
     accepted_at REAL NOT NULL,
     status TEXT,
     finished_at REAL,
-    plan_hash BLOB CHECK (length(plan_hash) = 32)
+    bytes_hash BLOB NOT NULL CHECK (length(bytes_hash) = 32)
   ) STRICT;
   CREATE INDEX unfinished ON requests (sequence) WHERE status IS NULL;
   CREATE INDEX finished ON requests (finished_at, sequence) WHERE status IS NOT NULL;
-  CREATE TABLE request_bytes (sequence INTEGER PRIMARY KEY, bytes BLOB NOT NULL) STRICT;
+  CREATE TABLE record_bytes (sequence INTEGER PRIMARY KEY, bytes BLOB NOT NULL) STRICT;
   CREATE TABLE plan_bytes (sequence INTEGER PRIMARY KEY, bytes BLOB NOT NULL) STRICT;
   PRAGMA application_id = 1097036388;
   PRAGMA user_version = 1;

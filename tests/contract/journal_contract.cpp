@@ -35,7 +35,7 @@ std::uint64_t accept(World& world, const std::vector<std::string>& ids) {
 
 void finish(World& world, const std::string& id, double time = kNow,
             PlanStatus status = PlanStatus::kSolved) {
-  value_of(world.journal().finish(id, status, sample_plan(id), time));
+  value_of(world.journal().finish({{id, status, sample_plan(id), time}}));
 }
 
 std::vector<std::string> unfinished(World& world) {
@@ -53,7 +53,7 @@ void nothing_is_there_at_first(World& world) {
   require(unfinished(world).empty(), "there is something to finish");
   const JournalCounts counts = value_of(world.journal().counts());
   require(counts.unfinished == 0 && counts.finished == 0, "something was counted");
-  require_failure(world.journal().request("a"), "a stranger's request was found");
+  require_failure(world.journal().record("a"), "a stranger's request was found");
   require_failure(world.journal().plan("a"), "a stranger's plan was found");
 }
 
@@ -63,9 +63,9 @@ void what_is_accepted_is_found(World& world) {
   const std::uint64_t sequence = value_of(world.journal().accept({request}));
   const auto found = value_of(world.journal().find(request.id));
   require(found.has_value(), "it was not found");
-  require(*found == JournalEntry{sequence, request.id, request.hash, request.accepted_at, {}},
+  require(*found == JournalEntry{sequence, request.id, request.content, request.accepted_at, {}},
           "something about it was changed");
-  require(value_of(world.journal().request(request.id)) == request.request,
+  require(value_of(world.journal().record(request.id)) == request.record,
           "its bytes were changed");
   require(value_of(world.journal().unfinished()) == std::vector{*found}, "it is not unfinished");
   require_failure(world.journal().plan(request.id), "it has a plan");
@@ -75,7 +75,7 @@ void ids_are_told_apart_by_every_byte(World& world) {
   const Ids ids{"a", "A", "a ", "a.", "aa", "\xc3\xa4", "1", "01", "1.0"};
   accept(world, ids);
   for (const std::string& id : ids) {
-    require(value_of(world.journal().request(id)) == sample_request(id).request,
+    require(value_of(world.journal().record(id)) == sample_request(id).record,
             "one id was taken for another");
   }
   require(unfinished(world) == ids, "they are not in the order of acceptance");
@@ -121,7 +121,7 @@ void what_makes_no_sense_is_refused(World& world) {
   timeless.accepted_at = kNan;
   require_failure(world.journal().accept({timeless}), "no time was accepted");
   accept(world, {"a"});
-  require_failure(world.journal().finish("a", PlanStatus::kSolved, "{}", kNan),
+  require_failure(world.journal().finish({{"a", PlanStatus::kSolved, "{}", kNan}}),
                   "it was finished at no time");
   require(unfinished(world) == Ids{"a"}, "a refusal changed something");
 }
@@ -131,14 +131,14 @@ void what_makes_no_sense_is_refused(World& world) {
 void what_is_finished_keeps_its_plan(World& world) {
   accept(world, {"a", "b"});
   const std::string plan = sample_plan("a", 1'000'000);
-  value_of(world.journal().finish("a", PlanStatus::kInfeasible, plan, kNow + 0.5));
+  value_of(world.journal().finish({{"a", PlanStatus::kInfeasible, plan, kNow + 0.5}}));
   const auto found = value_of(world.journal().find("a"));
   require(found && found->outcome, "it is not finished");
   require(*found->outcome == JournalEntry::Outcome{PlanStatus::kInfeasible, kNow + 0.5},
           "its outcome is another");
-  require(found->hash == sample_request("a").hash, "it is not known any more what was asked");
+  require(found->content == sample_request("a").content, "it is not known any more what was asked");
   require(value_of(world.journal().plan("a")) == plan, "its plan was changed");
-  require_failure(world.journal().request("a"), "its bytes are kept for ever");
+  require_failure(world.journal().record("a"), "its bytes are kept for ever");
   require(unfinished(world) == Ids{"b"}, "it is still unfinished, or another one is not");
 }
 
@@ -150,9 +150,9 @@ void every_status_and_size_is_kept(World& world) {
     const std::string id = "r" + std::to_string(number);
     AcceptedRequest request = sample_request(id, number == 0 ? 0 : 5);
     value_of(world.journal().accept({request}));
-    require(value_of(world.journal().request(id)) == request.request, "its bytes were changed");
+    require(value_of(world.journal().record(id)) == request.record, "its bytes were changed");
     const std::string plan = sample_plan(id, number == 0 ? 0 : 70'000);
-    value_of(world.journal().finish(id, status, plan, kNow));
+    value_of(world.journal().finish({{id, status, plan, kNow}}));
     require(value_of(world.journal().find(id))->outcome->status == status, "its status is another");
     require(value_of(world.journal().plan(id)) == plan, "its plan was changed");
     ++number;
@@ -161,12 +161,36 @@ void every_status_and_size_is_kept(World& world) {
 
 void only_what_is_unfinished_can_be_finished(World& world) {
   accept(world, {"a"});
-  require_failure(world.journal().finish("b", PlanStatus::kSolved, "{}", kNow),
+  require_failure(world.journal().finish({{"b", PlanStatus::kSolved, "{}", kNow}}),
                   "a stranger was finished");
   finish(world, "a");
-  require_failure(world.journal().finish("a", PlanStatus::kCancelled, "{}", kNow + 1),
+  require_failure(world.journal().finish({{"a", PlanStatus::kCancelled, "{}", kNow + 1}}),
                   "it was finished twice");
   require(value_of(world.journal().plan("a")) == sample_plan("a"), "its plan was replaced");
+}
+
+void a_batch_is_finished_whole_or_not_at_all(World& world) {
+  accept(world, {"a", "b"});
+  const FinishedRequest a{"a", PlanStatus::kSolved, sample_plan("a"), kNow};
+  const FinishedRequest b{"b", PlanStatus::kTimeout, sample_plan("b"), kNow};
+  const FinishedRequest stranger{"c", PlanStatus::kSolved, "{}", kNow};
+  require_failure(world.journal().finish({a, stranger}), "a stranger was finished with another");
+  require_failure(world.journal().finish({a, a}), "one was finished twice at once");
+  require(unfinished(world) == std::vector<std::string>{"a", "b"}, "a batch was finished by halves");
+  value_of(world.journal().finish({a, b}));
+  require(unfinished(world).empty(), "a batch was not finished");
+  require(value_of(world.journal().plan("b")) == b.plan, "a plan was changed");
+}
+
+void entries_are_finished_ones_and_others(World& world) {
+  accept(world, {"b", "a", "c"});
+  finish(world, "a");
+  std::vector<std::string> ids;
+  for (const JournalEntry& entry : value_of(world.journal().entries())) {
+    ids.push_back(entry.id);
+    require(entry.outcome.has_value() == (entry.id == "a"), "it is not known what is finished");
+  }
+  require(ids == std::vector<std::string>{"b", "a", "c"}, "they are not in the order of acceptance");
 }
 
 // ---- Forgetting ----
@@ -242,7 +266,7 @@ void everything_outlives_a_restart(World& world) {
   for (int i = 0; i < 3; ++i) {
     world.restart();
     require(unfinished(world) == Ids{"a", "d"}, "unfinished ones were lost, or came back");
-    require(value_of(world.journal().request("d")) == sample_request("d").request,
+    require(value_of(world.journal().record("d")) == sample_request("d").record,
             "bytes were changed");
     require(value_of(world.journal().find("b")) == before, "an outcome was lost");
     require(value_of(world.journal().plan("b")) == sample_plan("b"), "a plan was changed");
@@ -258,11 +282,11 @@ void a_full_disk_refuses_and_loses_nothing(World& world) {
   for (int i = 0; i < 3; ++i) {
     require_failure(world.journal().accept({sample_request("c", 100'000)}),
                     "something was accepted that does not fit");
-    require_failure(world.journal().finish("a", PlanStatus::kSolved, sample_plan("a"), kNow),
+    require_failure(world.journal().finish({{"a", PlanStatus::kSolved, sample_plan("a"), kNow}}),
                     "something was finished that does not fit");
     require_failure(world.journal().forget_finished_before(kNow, 9), "it was forgotten");
     require(unfinished(world) == Ids{"a", "b"}, "what failed changed something");
-    require(value_of(world.journal().request("a")) == sample_request("a").request,
+    require(value_of(world.journal().record("a")) == sample_request("a").record,
             "what was there cannot be read");
     require(value_of(world.journal().plan("old")) == sample_plan("old"),
             "what was there cannot be read");
@@ -308,6 +332,8 @@ const std::vector<Check>& checks() {
       check("WhatIsFinishedKeepsItsPlan", what_is_finished_keeps_its_plan),
       check("EveryStatusAndSizeIsKept", every_status_and_size_is_kept),
       check("OnlyWhatIsUnfinishedCanBeFinished", only_what_is_unfinished_can_be_finished),
+      check("ABatchIsFinishedWholeOrNotAtAll", a_batch_is_finished_whole_or_not_at_all),
+      check("EntriesAreFinishedOnesAndOthers", entries_are_finished_ones_and_others),
       check("OnlyWhatFinishedBeforeIsForgotten", only_what_finished_before_is_forgotten),
       check("AFewAreForgottenAtATime", a_few_are_forgotten_at_a_time),
       check("AForgottenIdIsFreeAgain", a_forgotten_id_is_free_again),

@@ -55,10 +55,16 @@ struct AcceptsByHalves : MemoryJournal {
 };
 
 struct Disordered : MemoryJournal {
-  Result<std::vector<JournalEntry>> do_unfinished() const override {
-    auto entries = MemoryJournal::do_unfinished();
+  Result<std::vector<JournalEntry>> do_entries(bool unfinished_only) const override {
+    auto entries = MemoryJournal::do_entries(unfinished_only);
     std::ranges::sort(*entries, {}, &JournalEntry::id);
     return entries;
+  }
+};
+
+struct FinishesByHalves : MemoryJournal {
+  Result<void> do_finish(const std::vector<FinishedRequest>& requests) override {
+    return MemoryJournal::do_finish({requests.front()});
   }
 };
 
@@ -94,8 +100,8 @@ struct Hasty : MemoryJournal {
     if (id == lost_) return std::nullopt;
     return MemoryJournal::do_find(id);
   }
-  Result<std::vector<JournalEntry>> do_unfinished() const override {
-    auto entries = MemoryJournal::do_unfinished();
+  Result<std::vector<JournalEntry>> do_entries(bool unfinished_only) const override {
+    auto entries = MemoryJournal::do_entries(unfinished_only);
     std::erase_if(*entries, [&](const JournalEntry& entry) { return entry.id == lost_; });
     return entries;
   }
@@ -116,6 +122,7 @@ TEST(WrongJournals, AreToldFromRightOnes) {
   EXPECT_NE(breach<AcceptsByHalves>("NumbersGrowOneByOne"), "");
   EXPECT_NE(breach<Disordered>("UnfinishedOnesComeInTheOrderOfAcceptance"), "");
   EXPECT_NE(breach<CutsPlans>("WhatIsFinishedKeepsItsPlan"), "");
+  EXPECT_NE(breach<FinishesByHalves>("ABatchIsFinishedWholeOrNotAtAll"), "");
   EXPECT_NE(breach<Optimistic>("AFullDiskRefusesAndLosesNothing"), "");
   EXPECT_NE(breach<TooForgetful>("OnlyWhatFinishedBeforeIsForgotten"), "");
   EXPECT_NE(breach<NeverForgetful>("AFewAreForgottenAtATime"), "");

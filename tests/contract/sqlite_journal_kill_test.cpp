@@ -116,7 +116,7 @@ void work_until_killed(const fs::path& path, std::uint64_t seed, const Say& say)
       const std::string id = open.front();
       open.erase(open.begin());
       const std::string plan = sample_plan(id, 2 * request_size(id));
-      const auto finished = (*journal)->finish(id, PlanStatus::kSolved, plan, number);
+      const auto finished = (*journal)->finish({{id, PlanStatus::kSolved, plan, static_cast<double>(number)}});
       if (!finished) return say("cannot finish: " + finished.error());
       say("finished " + id);
     }
@@ -146,8 +146,8 @@ void expect_all_there(const fs::path& path, const Reports& reports) {
   for (const JournalEntry& entry : unfinished) {
     ASSERT_GT(entry.sequence, last);
     last = entry.sequence;
-    ASSERT_EQ(journal.request(entry.id).value(),
-              sample_request(entry.id, request_size(entry.id)).request);
+    ASSERT_EQ(journal.record(entry.id).value(),
+              sample_request(entry.id, request_size(entry.id)).record);
   }
   const JournalCounts counts = journal.counts().value();
   EXPECT_EQ(counts.unfinished, unfinished.size());
@@ -231,7 +231,7 @@ TEST(ProcessThatMayWriteNoMore, KeepsWhatItHasAndGoesOnWhenThereIsRoom) {
     bool readable = true;
     for (int i = 0; i < last; ++i) {
       const std::string id = std::to_string(i);
-      readable = readable && journal->request(id) == sample_request(id, 100'000).request;
+      readable = readable && journal->record(id) == sample_request(id, 100'000).record;
     }
     say(readable && !journal->find(std::to_string(last)).value() ? "readable" : "lost");
     setrlimit(RLIMIT_FSIZE, &unlimited);

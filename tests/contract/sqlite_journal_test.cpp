@@ -90,7 +90,7 @@ TEST_F(JournalOnDisk, HasSyncedEverythingBeforeItReturns) {
     const std::string id = std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 200'000)}));
     ASSERT_TRUE(disk::all_synced()) << i;
-    ASSERT_TRUE(journal->finish(id, PlanStatus::kSolved, sample_plan(id, 100'000), i));
+    ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 100'000), static_cast<double>(i)}}));
     ASSERT_TRUE(disk::all_synced()) << i;
   }
   ASSERT_TRUE(journal->forget_finished_before(20, 100));
@@ -102,14 +102,14 @@ TEST_F(JournalOnDisk, HasSyncedEverythingBeforeItReturns) {
 void expect_to_survive(const fs::path& path, void (*fail_after)(std::size_t)) {
   auto journal = open(path);
   ASSERT_TRUE(journal->accept({sample_request("old", 10'000), sample_request("open", 10'000)}));
-  ASSERT_TRUE(journal->finish("old", PlanStatus::kSolved, sample_plan("old"), 1));
+  ASSERT_TRUE(journal->finish({{"old", PlanStatus::kSolved, sample_plan("old"), 1}}));
   std::size_t failures = 0;
   for (bool failed = true; failed; ++failures) {
     fail_after(failures);
     const std::string id = "new" + std::to_string(failures);
     failed = !journal->accept({sample_request(id, 100'000), sample_request(id + "b", 100)});
     ASSERT_EQ(journal->plan("old").value(), sample_plan("old"));
-    ASSERT_EQ(journal->request("open").value(), sample_request("open", 10'000).request);
+    ASSERT_EQ(journal->record("open").value(), sample_request("open", 10'000).record);
     ASSERT_EQ(journal->find(id).value().has_value(), !failed);
     ASSERT_EQ(journal->find(id + "b").value().has_value(), !failed);
     disk::heal();
@@ -120,7 +120,7 @@ void expect_to_survive(const fs::path& path, void (*fail_after)(std::size_t)) {
       journal.reset();
       journal = open(path);
     }
-    ASSERT_EQ(journal->request(id).value(), sample_request(id, 100'000).request);
+    ASSERT_EQ(journal->record(id).value(), sample_request(id, 100'000).record);
     ASSERT_EQ(journal->unfinished()->size(), failures + (failed ? 2 : 3));
   }
   EXPECT_GT(failures, 1U);
@@ -155,7 +155,7 @@ TEST_F(JournalOnDisk, GrowsNoFurtherThanItMay) {
   EXPECT_THAT(journal->accept({sample_request("x", 100'000)}).error(), HasSubstr("no room"));
   EXPECT_EQ(journal->unfinished()->size(), accepted);
   // A plan that takes less room than its request did makes some.
-  ASSERT_TRUE(journal->finish("0", PlanStatus::kSolved, sample_plan("0", 3000), 0));
+  ASSERT_TRUE(journal->finish({{"0", PlanStatus::kSolved, sample_plan("0", 3000), 0}}));
   ASSERT_TRUE(journal->accept({sample_request("x", 90'000)}));
   journal.reset();
   EXPECT_LE(fs::file_size(path_), 1'000'000);
@@ -170,7 +170,7 @@ TEST_F(JournalOnDisk, UsesTheRoomOfWhatIsForgottenAgain) {
   for (int i = 0; i < 100; ++i) {
     const std::string id = std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 50'000)}));
-    ASSERT_TRUE(journal->finish(id, PlanStatus::kSolved, sample_plan(id, 50'000), i));
+    ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 50'000), static_cast<double>(i)}}));
     ASSERT_TRUE(journal->forget_finished_before(i - 5, 10));
     if (i == 20) most = journal->counts()->bytes;
   }
@@ -244,7 +244,7 @@ void fill(const fs::path& path) {
     const std::string id = "request-" + std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 3000)}));
     if (i % 2 == 0) {
-      ASSERT_TRUE(journal->finish(id, PlanStatus::kSolved, sample_plan(id, 9000), i));
+      ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 9000), static_cast<double>(i)}}));
     }
   }
 }
@@ -273,10 +273,10 @@ TEST_F(JournalOnDisk, ThatIsDamagedIsNoticedWhereverTheDamageIs) {
         all_there = all_there && plan;
         EXPECT_EQ(plan.value_or(sample_plan(id, 9000)), sample_plan(id, 9000));
       } else {
-        const auto request = (*journal)->request(id);
+        const auto request = (*journal)->record(id);
         all_there = all_there && request;
-        EXPECT_EQ(request.value_or(sample_request(id, 3000).request),
-                  sample_request(id, 3000).request);
+        EXPECT_EQ(request.value_or(sample_request(id, 3000).record),
+                  sample_request(id, 3000).record);
       }
     }
     if (!all_there) ++failed;
@@ -298,11 +298,11 @@ TEST_F(JournalOnDisk, NoticesOneBitOfAPlanThatTheDiskTurned) {
   {
     const auto journal = open(path_);
     ASSERT_TRUE(journal->accept({sample_request("a", 30'000), sample_request("b", 30'000)}));
-    ASSERT_TRUE(journal->finish("a", PlanStatus::kSolved, sample_plan("a", 30'000), 1));
+    ASSERT_TRUE(journal->finish({{"a", PlanStatus::kSolved, sample_plan("a", 30'000), 1}}));
   }
   std::string bytes = read(path_);
   for (const std::string& part : {sample_plan("a", 30'000).substr(20'000, 32), [] {
-                                    const Bytes request = sample_request("b", 30'000).request;
+                                    const Bytes request = sample_request("b", 30'000).record;
                                     return std::string(request.begin() + 20'000,
                                                        request.begin() + 20'032);
                                   }()}) {
@@ -313,7 +313,7 @@ TEST_F(JournalOnDisk, NoticesOneBitOfAPlanThatTheDiskTurned) {
   write(path_, bytes);
   const auto journal = open(path_);
   EXPECT_THAT(journal->plan("a").error(), EndsWith("damaged: the bytes of request \"a\""));
-  EXPECT_THAT(journal->request("b").error(), EndsWith("damaged: the bytes of request \"b\""));
+  EXPECT_THAT(journal->record("b").error(), EndsWith("damaged: the bytes of request \"b\""));
 }
 
 }  // namespace

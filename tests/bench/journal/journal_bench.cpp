@@ -24,7 +24,7 @@ std::vector<AcceptedRequest> batch_of(std::size_t count, std::size_t bytes) {
 }
 
 void finish(Journal& journal, const std::string& id, const std::string& plan, double time) {
-  const auto done = journal.finish(id, PlanStatus::kSolved, plan, time);
+  const auto done = journal.finish({{id, PlanStatus::kSolved, plan, time}});
   if (!done) std::printf("%s\n", done.error().c_str());
 }
 

@@ -45,7 +45,8 @@ class RequestDeskTest : public ::testing::Test {
  protected:
   void open(RequestDesk::Settings settings = {}) {
     desk_ = std::make_unique<RequestDesk>(settings);
-    for (const JournalEntry& entry : *journal_.entries()) {
+    const auto entries = journal_.entries();
+    for (const JournalEntry& entry : *entries) {
       tl::expected<RequestRecord, std::string> record;
       if (!entry.outcome) record = decode_record(*journal_.record(entry.id));
       desk_->restore(entry, std::move(record), now_);
