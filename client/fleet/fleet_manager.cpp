@@ -6,79 +6,121 @@
 namespace accord {
 namespace {
 
-// How long one wait for news lasts at most, so that a stop is heard.
-constexpr auto kTurn = std::chrono::milliseconds(20);
+// How soon what could not be sent is tried again.
+constexpr auto kRetry = std::chrono::milliseconds(20);
 
 }  // namespace
 
-struct FleetManager::Waiting {
-  explicit Waiting(const PlanRequest& asked) : request(asked) {}
+void FleetManager::submit(PlanRequest request) {
+  const auto now = Clock::now();
+  std::string id = request.id;
+  waiting_[std::move(id)] = Waiting{std::move(request), now, now, settings_.again, false, false};
+}
 
-  const PlanRequest& request;
-  Clock::time_point began = Clock::now();
-  Clock::time_point ask_at = Clock::now();
-  std::optional<Clock::time_point> stopped;
-  bool is_accepted = false;
-};
+void FleetManager::cancel(const std::string& id) {
+  const auto found = waiting_.find(id);
+  if (found == waiting_.end() || std::exchange(found->second.is_cancelled, true)) return;
+  found->second.ask_at = Clock::now();
+  found->second.again = settings_.again;
+}
 
-tl::expected<Plan, NoAnswer> FleetManager::plan(const PlanRequest& request, const OnState& on_state,
-                                                const std::atomic<bool>& stop) {
-  Waiting waiting(request);
+std::optional<FleetManager::Event> FleetManager::next(Clock::duration timeout) {
+  const auto until = Clock::now() + timeout;
   while (true) {
-    if (auto answer = take_news(waiting, on_state)) return std::move(*answer);
+    take_news();
     const auto now = Clock::now();
-    if (stop && !waiting.stopped) {
-      waiting.stopped = now;
-      waiting.ask_at = now;
+    auto wake = until;
+    std::vector<std::string> given_up;
+    for (auto& [id, waiting] : waiting_) {
+      if (!waiting.is_accepted && now - waiting.since > settings_.patience) {
+        given_up.push_back(id);
+      } else if (now >= waiting.ask_at) {
+        ask(waiting, now);
+      }
+      wake = std::min(wake, waiting.ask_at);
     }
-    if (waiting.stopped && (!waiting.is_accepted || now - *waiting.stopped > settings_.patience)) {
-      static_cast<void>(port_.send(CancelRequest{request.id}));
-      return tl::unexpected(NoAnswer{NoAnswer::Why::kStopped});
+    for (const std::string& id : given_up) end(id, NoAnswer{});
+    if (!events_.empty()) {
+      Event event = std::move(events_.front());
+      events_.pop_front();
+      return event;
     }
-    if (!waiting.is_accepted && now - waiting.began > settings_.patience) {
-      return tl::unexpected(NoAnswer{NoAnswer::Why::kNoService});
-    }
-    if (now >= waiting.ask_at) ask(waiting);
-    port_.wait(std::clamp<Clock::duration>(waiting.ask_at - Clock::now(), Clock::duration(0),
-                                           kTurn));
+    if (now >= until) return std::nullopt;
+    if (wake > now) port_.wait(wake - now);
   }
 }
 
 // What has not been answered, again. The same request twice is one request.
-void FleetManager::ask(Waiting& waiting) {
+void FleetManager::ask(Waiting& waiting, Clock::time_point now) {
   const std::string& id = waiting.request.id;
-  const FleetRequest next = waiting.stopped       ? FleetRequest(CancelRequest{id})
-                            : waiting.is_accepted ? FleetRequest(ResendRequest{id})
-                                                  : FleetRequest(waiting.request);
-  const bool is_sent = port_.send(next);
-  waiting.ask_at = Clock::now() + (is_sent ? settings_.again : kTurn);
+  const bool is_sent = waiting.is_cancelled && waiting.is_accepted ? port_.send(CancelRequest{id})
+                       : waiting.is_accepted                       ? port_.send(ResendRequest{id})
+                                             : port_.send(waiting.request);
+  waiting.ask_at = now + (is_sent ? waiting.again : Clock::duration(kRetry));
+  if (is_sent) waiting.again = std::min(2 * waiting.again, settings_.at_most);
 }
 
-std::optional<tl::expected<Plan, NoAnswer>> FleetManager::take_news(Waiting& waiting,
-                                                                    const OnState& on_state) {
-  const std::string& id = waiting.request.id;
+void FleetManager::take_news() {
   while (auto news = port_.take()) {
-    if (auto* reply = std::get_if<RequestReply>(&*news); reply != nullptr && reply->id == id) {
-      waiting.ask_at = Clock::now() + settings_.again;
-      if (!reply->accepted && reply->reason == Rejection::kUnknownRequest) {
-        waiting.is_accepted = false;  // a service without a journal that was started anew
-        waiting.began = waiting.ask_at = Clock::now();
-      } else if (!reply->accepted) {
-        return tl::unexpected(NoAnswer{NoAnswer::Why::kRejected, std::move(*reply)});
-      } else {
-        waiting.is_accepted = true;
-      }
-    }
-    if (const auto* state = std::get_if<RequestState>(&*news); state != nullptr && state->id == id) {
-      waiting.is_accepted = true;
-      waiting.ask_at = Clock::now() + settings_.again;
-      if (on_state) on_state(*state);
-    }
-    if (auto* found = std::get_if<FinishedPlan>(&*news); found != nullptr && found->id == id) {
-      return std::move(found->plan);
+    if (auto* reply = std::get_if<RequestReply>(&*news)) {
+      const auto found = waiting_.find(reply->id);
+      if (found != waiting_.end()) on_reply(found->second, std::move(*reply));
+    } else if (auto* state = std::get_if<RequestState>(&*news)) {
+      const auto found = waiting_.find(state->id);
+      if (found == waiting_.end()) continue;
+      found->second.is_accepted = true;
+      heard_of(found->second);
+      events_.push_back({state->id, std::move(*state)});
+    } else if (auto* finished = std::get_if<FinishedPlan>(&*news)) {
+      if (waiting_.contains(finished->id)) end(finished->id, std::move(finished->plan));
     }
   }
-  return std::nullopt;
+}
+
+void FleetManager::on_reply(Waiting& waiting, RequestReply reply) {
+  if (reply.accepted) {
+    const bool is_first = !std::exchange(waiting.is_accepted, true);
+    heard_of(waiting);
+    if (is_first && waiting.is_cancelled) waiting.ask_at = Clock::now();
+  } else if (reply.reason == Rejection::kUnknownRequest) {
+    // The answer to a question of ours: a service without a journal was started anew, or ours was
+    // on its way still.
+    waiting.is_accepted = false;
+    waiting.since = waiting.ask_at = Clock::now();
+    waiting.again = settings_.again;
+  } else {
+    const std::string id = reply.id;
+    end(id, NoAnswer{NoAnswer::Why::kRejected, std::move(reply)});
+  }
+}
+
+void FleetManager::heard_of(Waiting& waiting) {
+  waiting.ask_at = Clock::now() + waiting.again;
+}
+
+void FleetManager::end(const std::string& id, std::variant<RequestState, Plan, NoAnswer> how) {
+  events_.push_back({id, std::move(how)});
+  waiting_.erase(id);
+}
+
+tl::expected<Plan, NoAnswer> FleetManager::plan(
+    PlanRequest request, const std::function<void(const RequestState&)>& on_state,
+    const std::atomic<bool>& stop) {
+  constexpr auto kTurn = std::chrono::milliseconds(20);
+  const std::string id = request.id;
+  submit(std::move(request));
+  while (true) {
+    if (stop) cancel(id);
+    auto event = next(kTurn);
+    if (!event || event->id != id) continue;
+    if (const auto* state = std::get_if<RequestState>(&event->what)) {
+      if (on_state) on_state(*state);
+    } else if (auto* plan = std::get_if<Plan>(&event->what)) {
+      return std::move(*plan);
+    } else {
+      return tl::unexpected(std::move(std::get<NoAnswer>(event->what)));
+    }
+  }
 }
 
 }  // namespace accord

@@ -55,7 +55,7 @@ class ServiceProcesses {
 
   // Submits a request and waits for what becomes of it, on this thread.
   tl::expected<Plan, NoAnswer> plan(const PlanRequest& request,
-                                    const FleetManager::OnState& on_state = {}) {
+                                    const std::function<void(const RequestState&)>& on_state = {}) {
     FleetManager manager(*port_, {});
     const std::atomic<bool> stop{false};
     return manager.plan(request, on_state, stop);
