@@ -3,18 +3,17 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "common/io/limits.h"
 #include "common/runtime/command_line.h"
+#include "common/runtime/ending_signals.h"
+#include "common/runtime/host_name.h"
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_server.h"
@@ -30,15 +29,10 @@ using accord::ProcessExit;
 // The loop turns ten times a second, however busy the worker is: its tasks have their own threads.
 constexpr auto kHangs = std::chrono::seconds(10);
 
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
 accord::TaskDesk::Settings desk_settings(const accord::WorkerSettings& options) {
   accord::TaskDesk::Settings settings;
   settings.info.version = ACCORD_VERSION;
-  settings.info.host = host_name();
+  settings.info.host = accord::host_name();
   settings.info.process = static_cast<std::uint32_t>(getpid());
   settings.info.threads = options.threads;
   settings.info.task_bytes = accord::limits::kSubproblemBytes;
@@ -46,38 +40,9 @@ accord::TaskDesk::Settings desk_settings(const accord::WorkerSettings& options) 
   return settings;
 }
 
-// Signals that ask the process to end, taken by one thread of their own.
-sigset_t ending_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
-  return signals;
-}
-
-// The loop that is at work now, for the thread that takes signals.
-class Present {
- public:
-  // nullptr: none. A loop that comes after a signal drains at once.
-  void set(accord::WorkerLoop* loop) {
-    const std::lock_guard lock(mutex_);
-    loop_ = loop;
-    if (loop_ != nullptr && is_over_) loop_->drain();
-  }
-  void drain() {
-    const std::lock_guard lock(mutex_);
-    is_over_ = true;
-    if (loop_ != nullptr) loop_->drain();
-  }
-
- private:
-  std::mutex mutex_;
-  accord::WorkerLoop* loop_ = nullptr;
-  bool is_over_ = false;
-};
-
 // Joins the bus and works; again, where it has been forgotten.
 ProcessExit work(const accord::WorkerSettings& options, accord::WorkerTally& tally,
-                 Present& present) {
+                 accord::EndingSignals& signals) {
   while (true) {
     auto bus = accord::make_dds_bus(accord::Role::kWorker, options.dds);
     if (!bus) {
@@ -89,28 +54,12 @@ ProcessExit work(const accord::WorkerSettings& options, accord::WorkerTally& tal
     spdlog::info("worker {} with {} threads in domain {}, cluster {}", id, options.threads,
                  options.dds.domain, options.dds.cluster);
     accord::WorkerLoop loop(**bus, desk_settings(options), tally);
-    present.set(&loop);
+    signals.set([&loop] { loop.drain(); });
     const auto end = loop.run();
-    present.set(nullptr);
+    signals.set(nullptr);
     if (end == accord::WorkerLoop::End::kDrained) return ProcessExit::kEnded;
     spdlog::info("no coordinator answers any more: joins anew");
   }
-}
-
-// Works, and has somebody take the signals meanwhile.
-ProcessExit work_until_signalled(const accord::WorkerSettings& options,
-                                 accord::WorkerTally& tally) {
-  const sigset_t signals = ending_signals();
-  Present present;
-  std::thread listener([&] {
-    int signal = 0;
-    sigwait(&signals, &signal);
-    present.drain();
-  });
-  const ProcessExit code = work(options, tally, present);
-  pthread_kill(listener.native_handle(), SIGTERM);  // where it ended for another reason
-  listener.join();
-  return code;
 }
 
 ProcessExit run(int argc, char** argv) {
@@ -122,8 +71,7 @@ ProcessExit run(int argc, char** argv) {
   accord::start_log("accord-worker", options.log);
   for (const std::string& warning : start.warnings) spdlog::warn(warning);
 
-  const sigset_t signals = ending_signals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // for all threads to come
+  accord::EndingSignals signals;
   accord::WorkerTally tally;
   accord::Metrics metrics;
   accord::add_worker_metrics(metrics, tally, options.threads);
@@ -139,7 +87,7 @@ ProcessExit run(int argc, char** argv) {
     }
     server = std::move(*started);
   }
-  const ProcessExit code = work_until_signalled(options, tally);
+  const ProcessExit code = work(options, tally, signals);
   spdlog::info("ended");
   return code;
 }
