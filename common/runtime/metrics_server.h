@@ -25,11 +25,13 @@ class MetricsServer {
     std::function<bool()> is_ready = [] { return true; };
   };
 
-  // Serves from now on, with two threads of its own, which take the signal mask of the caller;
-  // until it is destroyed, which waits for them. `metrics` and what the probes refer to must
-  // outlive it. address: IPv4 of this machine, 0.0.0.0 for all; port: 0 for any that is free. Or
-  // why it cannot, as in "cannot serve metrics: cannot bind to 127.0.0.1:9464: 98 (Address already
-  // in use)". The process ignores SIGPIPE from then on.
+  // Serves from now on, with threads of its own, which take the signal mask of the caller; until it
+  // is destroyed, which takes up to 2 s, as civetweb looks up that seldom. `metrics` and what the
+  // probes refer to must outlive it. The process ignores SIGPIPE from then on.
+  //
+  // `address`: IPv4 of this machine, 0.0.0.0 for all. `port`: 0 for any that is free. Says why it
+  // cannot, as in
+  // "cannot serve metrics: cannot bind to 127.0.0.1:9464: 98 (Address already in use)".
   static tl::expected<std::unique_ptr<MetricsServer>, std::string> start(Metrics& metrics,
                                                                          const std::string& address,
                                                                          std::uint16_t port,

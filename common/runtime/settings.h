@@ -58,8 +58,9 @@ class Settings {
     checks_.push_back(std::move(check));
   }
 
-  const std::vector<Setting>& all() const { return all_; }  // in the order of adding
-  const Setting* find(std::string_view key) const;          // nullptr: there is none
+  const std::vector<Setting>& all() const& { return all_; }  // in the order of adding
+  void all() && = delete;                                    // they would be gone
+  const Setting* find(std::string_view key) const;           // nullptr: there is none
   std::vector<SettingFault> failed_checks() const;
 
  private:

@@ -15,6 +15,17 @@
 namespace accord {
 namespace {
 
+// Nothing but blank lines and comments, which is no YAML document, but a file that changes nothing.
+bool says_nothing(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != std::string_view::npos && line[first] != '#') return false;
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return true;
+}
+
 class Reader {
  public:
   Reader(const Settings& settings, Faults& faults) : settings_(settings), faults_(faults) {}
@@ -93,8 +104,9 @@ std::vector<FileEntry> read_settings_file(const Settings& settings,
     faults.add(file.string(), 0, "", text.error());
     return {};
   }
+  if (says_nothing(*text)) return {};
   const auto document = read_yaml(*text, file.string(), limits::kSettingsNodes, faults);
-  if (!document || document->empty() || document->root().is_null()) return {};
+  if (!document || document->root().is_null()) return {};
   Reader reader(settings, faults);
   if (expect_map(document->root(), "a map of settings", faults)) {
     reader.read_section(document->root(), "");

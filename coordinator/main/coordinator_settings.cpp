@@ -24,7 +24,7 @@ void add_storage_settings(Settings& table, CoordinatorSettings& settings) {
   table.add("scenes", "--scenes", settings.scenes, path_or_none("a folder", "FOLDER"),
             "Scenes that requests may name");
   Notation<std::string> folder = path_or_none("a folder", "FOLDER");
-  folder.expected += ", or auto";
+  folder.expected = "the path of a folder, none or auto";
   table.add("quarantine", "--quarantine", settings.quarantine, std::move(folder),
             "Where the inputs of quarantined tasks are written; auto: beside the journal");
 }
