@@ -4,7 +4,9 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "common/io/plan_file.h"
 #include "common/transport/fleet/fleet_limits.h"
@@ -18,18 +20,26 @@ using Clock = std::chrono::steady_clock;
 using fleet_samples::bits_of;
 using fleet_samples::plan_of;
 
-constexpr auto kPatience = 20s;  // how long anything may take that has to happen
+constexpr auto kPatience = 10s;  // how long anything may take that has to happen
 constexpr auto kQuiet = 100ms;   // how long nothing is to happen
+
+constexpr std::string_view kProbe = "probe-";
 
 struct Service {
   explicit Service(World& world) : port(world.serve([this] { ++wakes; })) {}
 
   void take_all() {
-    while (auto request = port->take()) requests.push_back(std::move(*request));
+    while (auto request = port->take()) {
+      // A client that found the service in the midst of a probe asks for what it lacks of it.
+      const auto* resend = std::get_if<ResendRequest>(&*request);
+      if (resend != nullptr && resend->id.starts_with(kProbe)) continue;
+      requests.push_back(std::move(*request));
+    }
   }
-  void pause() const { std::this_thread::sleep_for(100us); }
+  static void pause() { std::this_thread::sleep_for(100us); }
 
   std::atomic<int> wakes = 0;
+  int probes = 0;
   std::vector<FleetRequest> requests;
   std::unique_ptr<FleetServicePort> port;
 };
@@ -81,8 +91,27 @@ void require(bool holds, const char* what) {
   if (!holds) broken(what);
 }
 
-void meet(Client& client) {
+void find_service(Client& client) {
   require(until([&] { return client.port->has_service(); }, client), "the service never appeared");
+}
+
+// Until the service has found the client, too: it does not say so, but what it says arrives.
+void meet(Service& service, Client& client) {
+  find_service(client);
+  std::string last;
+  const auto hears = [&] {
+    last = std::string(kProbe) + std::to_string(++service.probes);
+    service.port->publish(plan_of(last, 1, 1));
+    return !client.news.empty();
+  };
+  require(until(hears, client, service), "the service never found a client");
+  const auto hears_last = [&] {
+    const auto plans = client.received<FinishedPlan>();
+    return !plans.empty() && plans.back().id == last;
+  };
+  require(until(hears_last, client, service), "a plan never came");
+  listen(kQuiet / 4, service, client);
+  client.news.clear();
 }
 
 void deliver(Client& client, Service& service, const FleetRequest& request) {
@@ -130,7 +159,7 @@ std::string text(std::size_t bytes) {
 void requests_arrive_as_they_were(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   for (const FleetRequest& request : fleet_samples::requests()) {
     service.requests.clear();
     deliver(client, service, request);
@@ -144,7 +173,7 @@ void requests_arrive_as_they_were(World& world) {
 void a_large_scene_arrives_whole(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   PlanRequest request;
   request.id = "large";
   request.scene_text = text(limits::kSceneBytes);
@@ -158,8 +187,8 @@ void every_request_of_a_burst_arrives(World& world) {
   Service service(world);
   Client first(world);
   Client second(world);
-  meet(first);
-  meet(second);
+  meet(service, first);
+  meet(service, second);
   PlanRequest request;
   request.scene_text = text(10'000);
   for (std::size_t i = 0; i < kMany; ++i) {
@@ -177,7 +206,7 @@ void every_request_of_a_burst_arrives(World& world) {
 void a_request_wakes_the_service(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   listen(kQuiet, service, client);
   const int before = service.wakes;
   require(client.port->send(CancelRequest{"1"}), "a request could not be sent");
@@ -198,7 +227,7 @@ void nothing_is_sent_where_no_service_is(World& world) {
 void what_is_too_large_is_not_sent(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   PlanRequest request;
   request.scene_text = text(limits::kSceneBytes + 1);
   require(!client.port->send(request), "a request beyond a limit was sent");
@@ -216,7 +245,7 @@ void what_is_too_large_is_not_sent(World& world) {
 void every_kind_of_news_arrives_as_it_was(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   for (const FleetNews& news : fleet_samples::news()) {
     client.news.clear();
     service.port->publish(news);
@@ -230,7 +259,7 @@ void news_of_a_kind_keeps_its_order(World& world) {
   constexpr std::uint32_t kMany = 200;
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   RequestState state;
   for (state.ahead = 0; state.ahead < kMany; ++state.ahead) service.port->publish(state);
   until([&] { return client.news.size() >= kMany; }, client, service);
@@ -244,7 +273,7 @@ void news_of_a_kind_keeps_its_order(World& world) {
 void a_plan_without_paths_arrives(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   FinishedPlan plan{"1", {}};
   plan.plan.status = PlanStatus::kInfeasible;
   plan.plan.message = "\"agv3\" cannot reach its goal";
@@ -256,7 +285,7 @@ void a_plan_without_paths_arrives(World& world) {
 void a_path_of_many_pieces_arrives(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   const FinishedPlan plan = plan_of("long", 2, 30'000);
   service.port->publish(plan);
   require(until([&] { return !client.news.empty(); }, client, service), "the plan never came");
@@ -266,7 +295,7 @@ void a_path_of_many_pieces_arrives(World& world) {
 void a_plan_of_a_thousand_robots_arrives_to_the_bit(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   const FinishedPlan plan = plan_of("fleet", 1000, 200);
   const auto begin = Clock::now();
   service.port->publish(plan);
@@ -281,7 +310,7 @@ void many_plans_arrive_once_each(World& world) {
   constexpr std::size_t kMany = 50;
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   for (std::size_t i = 0; i < kMany; ++i) service.port->publish(plan_of(std::to_string(i), 16, 30));
   until([&] { return client.news.size() >= kMany; }, client, service);
   require(client.news.size() == kMany, "not every plan came, each once");
@@ -294,25 +323,36 @@ void all_clients_hear_the_same(World& world) {
   Service service(world);
   Client first(world);
   Client second(world);
-  meet(first);
-  meet(second);
+  meet(service, first);
+  meet(service, second);
   std::vector<FleetNews> news = fleet_samples::news();
   news.emplace_back(plan_of("1", 16, 30));
   for (const FleetNews& one : news) service.port->publish(one);
-  require(until([&] { return first.news.size() >= news.size(); }, first, second, service) &&
-              until([&] { return second.news.size() >= news.size(); }, first, second, service),
-          "not all news came to both");
   for (const FleetNews& one : news) {
-    require(has(first, one) && has(second, one), "news was changed");
+    require(until([&] { return has(first, one) && has(second, one); }, first, second, service),
+            "news did not come to both as it was");
   }
 }
 
 // ---- Coming later, asking again ----
 
+RequestState finished(const std::string& id) {
+  RequestState out;
+  out.id = id;
+  out.phase = RequestPhase::kFinished;
+  return out;
+}
+
+void answer_resends(Service& service, const FinishedPlan& plan) {
+  for (const FleetRequest& request : std::exchange(service.requests, {})) {
+    if (request == FleetRequest(ResendRequest{plan.id})) service.port->publish(plan);
+  }
+}
+
 void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
   Service service(world);
   Client early(world);
-  meet(early);
+  meet(service, early);
   const FinishedPlan plan = plan_of("1", 16, 30);
   std::vector<FleetNews> latest = fleet_samples::news();
   latest.emplace_back(ServiceStatus{"0.1.0", "host", 1, 1, 0, 0, 0, 0, 0, true});
@@ -321,7 +361,7 @@ void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
   require(until([&] { return has(early, plan) && has(early, latest.back()); }, early, service),
           "news never came");
   Client late(world);
-  meet(late);
+  find_service(late);
   require(until([&] { return has(late, latest.back()); }, late, service),
           "who came later was not told how the service is");
   until([&] { return late.news.size() >= latest.size() - 1; }, late, service);
@@ -333,8 +373,13 @@ void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
   require(late.received<FinishedPlan>().empty(), "an old plan came unasked");
   deliver(late, service, ResendRequest{"1"});
   require(service.requests.back() == FleetRequest(ResendRequest{"1"}), "asking was changed");
+  service.port->publish(finished("1"));
   service.port->publish(plan);
-  require(until([&] { return has(late, plan); }, late, service), "the plan never came");
+  const auto has_plan = [&] {
+    answer_resends(service, plan);
+    return has(late, plan);
+  };
+  require(until(has_plan, late, service), "the plan never came");
   listen(kQuiet, early, late, service);
   require(early.received<FinishedPlan>().size() == 1, "a plan came again to who had not asked");
 }
@@ -342,7 +387,7 @@ void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
 void a_plan_asked_for_again_is_given_again(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   const FinishedPlan plan = plan_of("1", 16, 30);
   for (std::size_t times = 1; times <= 3; ++times) {
     deliver(client, service, ResendRequest{"1"});
@@ -356,8 +401,8 @@ void who_never_takes_holds_nobody_up(World& world) {
   Service service(world);
   Client deaf(world);
   Client keen(world);
-  meet(deaf);
-  meet(keen);
+  meet(service, deaf);
+  meet(service, keen);
   Clock::duration longest{0};
   RequestState state;
   for (state.ahead = 0; state.ahead < 5'000; ++state.ahead) {
@@ -379,15 +424,43 @@ void who_never_takes_holds_nobody_up(World& world) {
           "who took late never gets anything again");
 }
 
+void a_plan_that_is_there_and_does_not_come_is_asked_for(World& world) {
+  Service service(world);
+  Client client(world);
+  Client bystander(world);
+  meet(service, client);
+  find_service(bystander);
+  PlanRequest request;
+  request.id = "1";
+  deliver(client, service, request);
+  service.requests.clear();
+  service.port->publish(finished("1"));
+  require(until([&] { return service.requests.size() >= 2; }, client, bystander, service),
+          "a plan that did not come was not asked for");
+  require(service.requests.front() == FleetRequest(ResendRequest{"1"}),
+          "something else was asked for");
+  const FinishedPlan plan = plan_of("1", 16, 30);
+  service.port->publish(plan);
+  require(until([&] { return has(client, plan); }, client, bystander, service),
+          "the plan never came");
+  require(bystander.port->counters().sent == 0 && client.port->counters().sent == 1,
+          "what a port asks by itself is counted");
+}
+
 void a_service_that_comes_back_is_found(World& world) {
   Client client(world);
   for (int round = 0; round < 3; ++round) {
     Service service(world);
-    meet(client);
-    deliver(client, service, ResendRequest{std::to_string(round)});
+    find_service(client);
     const FinishedPlan plan = plan_of(std::to_string(round), 16, 30);
+    deliver(client, service, ResendRequest{plan.id});
+    service.port->publish(finished(plan.id));
     service.port->publish(plan);
-    require(until([&] { return has(client, plan); }, client, service), "news never came");
+    const auto has_plan = [&] {
+      answer_resends(service, plan);
+      return has(client, plan);
+    };
+    require(until(has_plan, client, service), "the plan never came");
     service.port.reset();
     require(until([&] { return !client.port->has_service(); }, client), "it was never lost");
   }
@@ -396,7 +469,7 @@ void a_service_that_comes_back_is_found(World& world) {
 void waiting_ends_when_something_comes(World& world) {
   Service service(world);
   Client client(world);
-  meet(client);
+  meet(service, client);
   listen(kQuiet, client, service);
   const auto begin = Clock::now();
   std::thread other([&] {
@@ -446,6 +519,8 @@ const std::vector<Check>& checks() {
             who_comes_later_hears_the_latest_and_asks_for_plans),
       check("APlanAskedForAgainIsGivenAgain", a_plan_asked_for_again_is_given_again),
       check("WhoNeverTakesHoldsNobodyUp", who_never_takes_holds_nobody_up),
+      check("APlanThatIsThereAndDoesNotComeIsAskedFor",
+            a_plan_that_is_there_and_does_not_come_is_asked_for),
       check("AServiceThatComesBackIsFound", a_service_that_comes_back_is_found),
       check("WaitingEndsWhenSomethingComes", waiting_ends_when_something_comes),
   };

@@ -17,7 +17,7 @@ namespace accord {
 // the same cluster knows nothing of.
 
 // `wake` is called, from any thread and until the port is destroyed, when take() may give
-// something. It must not call the port.
+// something. It must not call the port, nor wait for a lock that is held while the port is called.
 tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
     const DdsOptions& options, std::function<void()> wake);
 

@@ -1,12 +1,10 @@
-#include <algorithm>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <utility>
 
 #include "common/transport/dds/fleet/participant.h"
 #include "common/transport/dds/fleet/service_watch.h"
+#include "common/transport/fleet/assembling_client.h"
 #include "common/transport/fleet/dds_fleet.h"
-#include "common/transport/fleet/fleet_limits.h"
-#include "common/transport/fleet/plan_assembly.h"
 
 namespace accord {
 namespace {
@@ -18,11 +16,7 @@ using eprosima::fastdds::dds::DataWriter;
 // A service has 3 readers that ours writers match, and 6 writers.
 constexpr std::size_t kPairs = 9;
 
-PlanAssembly::Time now() {
-  return std::chrono::steady_clock::now().time_since_epoch();
-}
-
-class DdsFleetClient final : public FleetClientPort {
+class DdsFleetClient final : public AssemblingClient {
  public:
   explicit DdsFleetClient(const std::string& cluster)
       : watch_(fleet_user_data(cluster, kServiceRole), kPairs, signal_),
@@ -50,88 +44,31 @@ class DdsFleetClient final : public FleetClientPort {
     return std::nullopt;
   }
 
-  bool send(const FleetRequest& request) override {
-    if (fleet_fault(request) || !has_service()) return false;
-    if (!std::visit([this](const auto& kind) { return send_kind(kind); }, request)) return false;
-    ++counters_.sent;
-    return true;
-  }
-
-  std::optional<FleetNews> take() override {
-    auto news = next_news();
-    if (news) ++counters_.received;
-    drained_ = !news;
-    counters_.malformed = refused_ + beyond_limits_ + assembly_.malformed();
-    ask_again();
-    return news;
-  }
-
-  void wait(std::chrono::nanoseconds timeout) override {
-    if (!drained_) return;
-    if (const auto due = assembly_.next_overdue()) timeout = std::min(timeout, *due - now());
-    signal_.wait(std::max(timeout, std::chrono::nanoseconds(0)));
-    ask_again();
-  }
-
   bool has_service() const override { return watch_.is_there(); }
-  const FleetCounters& counters() const override { return counters_; }
 
  private:
-  bool send_kind(const PlanRequest& request) {
-    assembly_.expect(request.id);
-    return write(request, *requests_);
+  bool do_send(const FleetRequest& request) override {
+    return std::visit([this](const auto& kind) { return send_kind(kind); }, request);
   }
+  bool send_kind(const PlanRequest& request) { return write(request, *requests_); }
   bool send_kind(const CancelRequest& request) { return write(request, *cancels_); }
-  bool send_kind(const ResendRequest& request) {
-    assembly_.expect(request.id);
-    return write(request, *resends_);
-  }
+  bool send_kind(const ResendRequest& request) { return write(request, *resends_); }
 
-  std::optional<FleetNews> next_news() {
-    if (auto reply = take_from<RequestReply>(*replies_)) return reply;
-    if (auto state = take_from<RequestState>(*states_)) return state;
-    if (auto service = take_from<ServiceStatus>(*service_)) return service;
-    if (auto worker = take_from<WorkerStatus>(*workers_)) return worker;
-    if (auto plan = plan_completed_by<PlanOutline>(*outlines_)) return plan;
-    return plan_completed_by<PathPiece>(*paths_);
+  std::optional<FleetPart> do_take() override {
+    if (auto reply = read<RequestReply>(*replies_)) return reply;
+    if (auto state = read<RequestState>(*states_)) return state;
+    if (auto service = read<ServiceStatus>(*service_)) return service;
+    if (auto worker = read<WorkerStatus>(*workers_)) return worker;
+    if (auto outline = read<PlanOutline>(*outlines_)) return outline;
+    return read<PathPiece>(*paths_);
   }
-
-  template <typename News>
-  std::optional<FleetNews> take_from(DataReader& reader) {
-    while (auto news = read<News>(reader)) {
-      FleetNews out = std::move(*news);
-      if (!fleet_fault(out)) return out;
-      ++beyond_limits_;
-    }
-    return std::nullopt;
-  }
-
-  template <typename Part>
-  std::optional<FleetNews> plan_completed_by(DataReader& reader) {
-    while (auto part = read<Part>(reader)) {
-      if (fleet_fault(*part)) {
-        ++beyond_limits_;
-      } else if (auto plan = assembly_.add(std::move(*part), now())) {
-        return plan;
-      }
-    }
-    return std::nullopt;
-  }
-
-  void ask_again() {
-    for (std::string& id : assembly_.overdue(now())) {
-      if (has_service()) write(ResendRequest{std::move(id)}, *resends_);
-    }
-  }
+  void do_wait(std::chrono::nanoseconds timeout) override { signal_.wait(timeout); }
+  std::uint64_t unreadable() const override { return refused_; }
 
   Signal signal_;
   ServiceWatch watch_;
   ClientListener listener_;
-  FleetCounters counters_;
-  std::uint64_t refused_ = 0;        // samples that were none
-  std::uint64_t beyond_limits_ = 0;  // that were
-  PlanAssembly assembly_;
-  bool drained_ = false;
+  std::uint64_t refused_ = 0;
   DataWriter* requests_ = nullptr;
   DataWriter* cancels_ = nullptr;
   DataWriter* resends_ = nullptr;

@@ -3,8 +3,8 @@
 
 #include "common/transport/dds/fleet/participant.h"
 #include "common/transport/dds/fleet/plan_sender.h"
+#include "common/transport/fleet/checked_service.h"
 #include "common/transport/fleet/dds_fleet.h"
-#include "common/transport/fleet/fleet_limits.h"
 
 namespace accord {
 namespace {
@@ -22,13 +22,12 @@ class WakingListener final : public eprosima::fastdds::dds::DataReaderListener {
   std::function<void()> wake_;
 };
 
-class DdsFleetService final : public FleetServicePort {
+class DdsFleetService final : public CheckedService {
  public:
   explicit DdsFleetService(std::function<void()> wake) : listener_(std::move(wake)) {}
 
   std::optional<std::string> open(const DdsOptions& options) {
-    auto participant =
-        FleetParticipant::create(options, kServiceRole, nullptr, &counters_.malformed);
+    auto participant = FleetParticipant::create(options, kServiceRole, nullptr, &refused_);
     if (!participant) return participant.error();
     participant_ = std::move(*participant);
     replies_ = participant_->add_writer<RequestReply>(nullptr);
@@ -51,43 +50,17 @@ class DdsFleetService final : public FleetServicePort {
     return std::nullopt;
   }
 
-  std::optional<FleetRequest> take() override {
-    // What is short and urgent first.
-    if (auto cancel = take_from<CancelRequest>(*cancels_)) return cancel;
-    if (auto resend = take_from<ResendRequest>(*resends_)) return resend;
-    return take_from<PlanRequest>(*requests_);
-  }
-
-  void publish(const FleetNews& news) override {
-    const bool sent =
-        !fleet_fault(news) && std::visit([this](const auto& kind) { return send(kind); }, news);
-    ++(sent ? counters_.sent : counters_.unsent);
-  }
-
-  const FleetCounters& counters() const override { return counters_; }
-
  private:
-  template <typename Request>
-  std::optional<FleetRequest> take_from(DataReader& reader) {
-    while (auto request = read<Request>(reader)) {
-      FleetRequest out = std::move(*request);
-      const auto fault = fleet_fault(out);
-      if (!fault) {
-        ++counters_.received;
-        return out;
-      }
-      ++counters_.malformed;
-      refuse(out, *fault);
-    }
-    return std::nullopt;
+  std::optional<FleetRequest> do_take() override {
+    // What is short and urgent first.
+    if (auto cancel = read<CancelRequest>(*cancels_)) return cancel;
+    if (auto resend = read<ResendRequest>(*resends_)) return resend;
+    return read<PlanRequest>(*requests_);
   }
-
-  // Who asks for a plan with a program of its own may not know of our limits.
-  void refuse(const FleetRequest& request, const std::string& fault) {
-    const auto* plan = std::get_if<PlanRequest>(&request);
-    if (plan == nullptr || plan->id.size() > kFleetIdBytes) return;
-    publish(RequestReply{plan->id, false, Rejection::kTooLarge, {}, fault});
+  bool do_publish(const FleetNews& news) override {
+    return std::visit([this](const auto& kind) { return send(kind); }, news);
   }
+  std::uint64_t unreadable() const override { return refused_; }
 
   bool send(const RequestReply& reply) { return write(reply, *replies_); }
   bool send(const RequestState& state) { return write(state, *states_); }
@@ -95,7 +68,7 @@ class DdsFleetService final : public FleetServicePort {
   bool send(const ServiceStatus& service) { return write(service, *service_); }
   bool send(const FinishedPlan& plan) { return plans_->send(plan); }
 
-  FleetCounters counters_;
+  std::uint64_t refused_ = 0;
   WakingListener listener_;
   DataWriter* replies_ = nullptr;
   DataWriter* states_ = nullptr;

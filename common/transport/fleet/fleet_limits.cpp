@@ -130,6 +130,10 @@ Fault outline_fault(const std::string& id, const Plan& plan) {
                    at_most(plan.statistics.size(), kStatistics, "statistics"),
                    at_most(plan.robots.size(), limits::kRobots, "robots")});
 }
+Fault fault_of(const PlanOutline& outline) {
+  return outline_fault(outline.id, outline.plan);
+}
+
 Fault segment_fault(const std::string& solver, std::size_t robots) {
   return first_of({string_fault(solver, limits::kSolverNameBytes, "bytes of a solver's name"),
                    at_most(robots, limits::kRobots, "robots of a segment")});
@@ -192,11 +196,8 @@ std::optional<std::string> fleet_fault(const FleetRequest& request) {
 std::optional<std::string> fleet_fault(const FleetNews& news) {
   return std::visit([](const auto& kind) { return fault_of(kind); }, news);
 }
-std::optional<std::string> fleet_fault(const PlanOutline& outline) {
-  return outline_fault(outline.id, outline.plan);
-}
-std::optional<std::string> fleet_fault(const PathPiece& piece) {
-  return fault_of(piece);
+std::optional<std::string> fleet_fault(const FleetPart& part) {
+  return std::visit([](const auto& kind) { return fault_of(kind); }, part);
 }
 
 std::size_t waypoint_bytes(std::size_t dof) {

@@ -32,8 +32,7 @@ inline constexpr std::size_t kPlanWireBytes = 256U << 20U;  // of a plan's piece
 // that the plan does not have.
 std::optional<std::string> fleet_fault(const FleetRequest& request);
 std::optional<std::string> fleet_fault(const FleetNews& news);
-std::optional<std::string> fleet_fault(const PlanOutline& outline);
-std::optional<std::string> fleet_fault(const PathPiece& piece);
+std::optional<std::string> fleet_fault(const FleetPart& part);
 
 // What kPathPieceBytes bounds: about how many bytes a piece's contents take on the wire.
 std::size_t waypoint_bytes(std::size_t dof);

@@ -9,7 +9,7 @@ namespace accord {
 namespace {
 
 constexpr std::size_t kOpenPlans = 64;
-constexpr std::size_t kGivenPlans = 4096;    // that are remembered
+constexpr std::size_t kRemembered = 4096;    // given plans, and expected ones
 constexpr int kAskings = 6;                  // of one plan, with nothing coming in between
 constexpr std::size_t kPieceOverhead = 256;  // bytes that a piece takes beside its contents
 // One plan of the largest size has room.
@@ -52,6 +52,9 @@ bool add_waypoints(const PathPiece& piece, Trajectory& out) {
 
 }  // namespace
 
+PlanAssembly::PlanAssembly(Time patience)
+    : patience_(patience), given_(kRemembered), expected_(kRemembered) {}
+
 std::optional<FinishedPlan> PlanAssembly::add(PlanOutline outline, Time now) {
   const auto plan = open(outline.id, outline.version, now);
   if (plan == plans_.end()) return std::nullopt;
@@ -79,8 +82,7 @@ std::optional<FinishedPlan> PlanAssembly::add(PathPiece piece, Time now) {
 // The plan that a part belongs to; end() where it is late.
 PlanAssembly::Plans::iterator PlanAssembly::open(const std::string& id, std::uint32_t version,
                                                  Time now) {
-  const auto given = given_.find(id);
-  if (given != given_.end() && given->second >= version) return plans_.end();
+  if (given_.find(id) >= version) return plans_.end();
   auto plan = plans_.find(id);
   if (plan != plans_.end() && plan->second.version > version) return plans_.end();
   if (plan != plans_.end() && plan->second.version < version) {
@@ -113,7 +115,12 @@ std::optional<FinishedPlan> PlanAssembly::finish_if_complete(Plans::iterator pla
   plans_.erase(plan);
   const std::uint32_t version = complete.version;
   auto joint = joined(std::move(complete));
-  joint ? note_given(id, version) : void(++malformed_);
+  if (joint) {
+    given_.add(id, version);
+    expected_.erase(id);
+  } else {
+    ++malformed_;
+  }
   return joint;
 }
 
@@ -140,6 +147,18 @@ std::optional<FinishedPlan> PlanAssembly::joined(Open open) {
 }
 
 // ---- Asking again ----
+
+void PlanAssembly::expect(const std::string& id) {
+  given_.erase(id);
+  expected_.add(id, 0);
+}
+
+void PlanAssembly::note_finished(const std::string& id, Time now) {
+  if (!expected_.find(id) || plans_.contains(id)) return;
+  const auto plan = plans_.try_emplace(id).first;
+  plan->second.heard = now;
+  account(plan, kPieceOverhead);
+}
 
 PlanAssembly::Time PlanAssembly::due(const Open& plan) const {
   // After 1, 1 + 2, 1 + 2 + 4, ... times the patience.
@@ -196,14 +215,6 @@ bool PlanAssembly::account(Plans::iterator grown, std::size_t bytes) {
 void PlanAssembly::forget(Plans::iterator plan) {
   bytes_ -= plan->second.bytes;
   plans_.erase(plan);
-}
-
-void PlanAssembly::note_given(const std::string& id, std::uint32_t version) {
-  given_[id] = version;
-  given_order_.push_back(id);
-  if (given_order_.size() <= kGivenPlans) return;
-  given_.erase(given_order_.front());
-  given_order_.pop_front();
 }
 
 }  // namespace accord

@@ -2,22 +2,21 @@
 // those come.
 //
 // A plan that is complete is given once: parts that come again, since somebody else asked for
-// them, are passed over, unless this end expects them, too. Memory is bounded by what has come,
+// them, are passed over, unless this end has asked for it, too. Memory is bounded by what has come,
 // never taken for what a part only claims: where incomplete plans are too many or too large, the
 // one that has heard nothing for longest is forgotten.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "common/transport/fleet/fleet_messages.h"
 #include "common/transport/fleet/plan_parts.h"
+#include "common/transport/fleet/recent_ids.h"
 
 namespace accord {
 
@@ -28,14 +27,16 @@ class PlanAssembly {
 
   // A plan that has begun to come, and of which nothing has come for `patience`, is asked for
   // again; then after twice, four times, ... that, and in the end forgotten.
-  explicit PlanAssembly(Time patience = std::chrono::milliseconds(200)) : patience_(patience) {}
+  explicit PlanAssembly(Time patience);
 
   // The plan, where this was what it lacked. Requires: fleet_fault() of it is nullopt.
   std::optional<FinishedPlan> add(PlanOutline outline, Time now);
   std::optional<FinishedPlan> add(PathPiece piece, Time now);
 
-  // This end has asked for it: it is given again even if it was before.
-  void expect(const std::string& id) { given_.erase(id); }
+  // This end has asked for the plan: it is given even if it was before.
+  void expect(const std::string& id);
+  // There is a plan: if this end expects it, it is as overdue as if it had begun to come.
+  void note_finished(const std::string& id, Time now);
 
   // The requests whose plans are to be asked for now.
   std::vector<std::string> overdue(Time now);
@@ -51,7 +52,7 @@ class PlanAssembly {
     bool complete() const { return pieces.size() == pieces.begin()->second.pieces; }
   };
   struct Open {
-    std::uint32_t version = 1;
+    std::uint32_t version = 0;  // 0: nothing has come
     std::optional<PlanOutline> outline;
     std::map<std::uint32_t, Path> paths;  // by the robot's place
     std::size_t complete_paths = 0;
@@ -68,13 +69,12 @@ class PlanAssembly {
   Time due(const Open& plan) const;
   bool account(Plans::iterator grown, std::size_t bytes);
   void forget(Plans::iterator plan);
-  void note_given(const std::string& id, std::uint32_t version);
 
   Time patience_;
   Plans plans_;
-  std::size_t bytes_ = 0;                                 // of all of them
-  std::unordered_map<std::string, std::uint32_t> given_;  // the version
-  std::deque<std::string> given_order_;                   // the latest last
+  std::size_t bytes_ = 0;  // of all of them
+  RecentIds given_;        // with the version
+  RecentIds expected_;     // and not given
   std::uint64_t malformed_ = 0;
 };
 

@@ -1,10 +1,11 @@
-// How plans travel on the public topics: they are of any size, so as an outline and bounded pieces
-// of the robots' paths. Plain values; the wire's counterparts are Plan and RobotPlan of
-// idl/fleet.idl.
+// How news travels on the public topics: as it is, but for plans. They are of any size, so they go
+// as an outline and bounded pieces of the robots' paths. Plain values; the wire's counterparts are
+// Plan and RobotPlan of idl/fleet.idl.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "common/transport/fleet/fleet_messages.h"
@@ -44,5 +45,8 @@ struct PathPiece {
 
   friend bool operator==(const PathPiece&, const PathPiece&) = default;
 };
+
+using FleetPart =
+    std::variant<RequestReply, RequestState, PlanOutline, PathPiece, WorkerStatus, ServiceStatus>;
 
 }  // namespace accord
