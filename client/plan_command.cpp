@@ -1,8 +1,6 @@
 // accord plan: from a scene to a proven plan.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iostream>
@@ -20,7 +18,9 @@
 #include "client/plan_text.h"
 #include "client/progress_line.h"
 #include "common/io/plan_file.h"
+#include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
+#include "common/runtime/log.h"
 
 namespace accord {
 namespace {
@@ -32,7 +32,7 @@ struct CommandOptions {
   double timeout = 0;  // s; 0: none
   bool json = false;
   bool quiet = false;
-  spdlog::level::level_enum log = spdlog::level::warn;
+  LogLevel log = LogLevel::kWarning;
 };
 
 ExitCode exit_code_of(PlanStatus status) {
@@ -62,13 +62,6 @@ Plan plan_with_progress(const std::shared_ptr<const Scene>& scene, const Command
   return plan(scene, request, report, &on_signal.cancelled());
 }
 
-void log_to_stderr(spdlog::level::level_enum least) {
-  const auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
-  auto logger = std::make_shared<spdlog::logger>("accord", sink);
-  logger->set_level(least);
-  spdlog::set_default_logger(std::move(logger));
-}
-
 ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
                   const CommandOptions& options) {
   const std::string json = to_json(plan);
@@ -79,7 +72,7 @@ ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
   if (print_plan) {
     std::cout << json;
   } else if (solved && !options.quiet) {
-    std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.workers));
+    std::cout << solved_text(*scene, plan, verify(scene, plan, options.plan.threads));
   }
   if (!solved) std::cerr << unsolved_text(plan);
   return exit_code_of(plan.status);
@@ -87,7 +80,7 @@ ExitCode hand_out(const std::shared_ptr<const Scene>& scene, const Plan& plan,
 
 ExitCode run(const CommandOptions& options) {
   refuse_overwriting(options.output, {options.scene});
-  log_to_stderr(options.log);
+  start_log("accord", {options.log, LogFormat::kText});
   const std::shared_ptr<const Scene> scene = load_scene_or_explain(options.scene);
   if (!scene) return ExitCode::kBadInput;
   const Plan plan = plan_with_progress(scene, options);
@@ -111,7 +104,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
   command.add_option("-t,--timeout", options.timeout, "Give up after so many seconds")
       ->check(seconds(1e-3, 1e7));
   command
-      .add_option("-w,--workers", options.plan.workers,
+      .add_option("-w,--workers", options.plan.threads,
                   "Threads; the plan is the same for any number (default: one for each core)")
       ->transform(plain_integer())
       ->check(CLI::Range(1U, 1024U));
@@ -124,18 +117,14 @@ void add_options(CLI::App& command, CommandOptions& options) {
       .add_option_function<std::string>(
           "--solvers",
           [&options](const std::string& list) {
-            options.plan.solvers = solvers_in(list, solver_names());
+            options.plan.solvers = solvers_in(list, local_solver_names());
           },
           fmt::format("ARC's solvers for conflicts, tried in this order, of {} (default: {})",
-                      fmt::join(solver_names(), ","), fmt::join(default_solvers(), ",")))
+                      fmt::join(local_solver_names(), ","), fmt::join(default_solver_names(), ",")))
       ->type_name("NAME,...");
   command.add_flag("--json", options.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", options.quiet, "Print neither progress nor summary");
-  const std::map<std::string, spdlog::level::level_enum> levels{{"debug", spdlog::level::debug},
-                                                                {"info", spdlog::level::info},
-                                                                {"warning", spdlog::level::warn},
-                                                                {"error", spdlog::level::err},
-                                                                {"off", spdlog::level::off}};
+  const std::map<std::string, LogLevel> levels(kLogLevels.begin(), kLogLevels.end());
   command
       .add_option("--log", options.log,
                   "Least level of what is logged to stderr; debug: a line for each subproblem")
@@ -146,7 +135,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
 
 void add_plan_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  options->plan.workers = std::max(1U, std::thread::hardware_concurrency());
+  options->plan.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = app.add_subcommand(
       "plan", "Plan a scene: every robot from its start to its goal, proved free of collisions");
   add_options(*command, *options);

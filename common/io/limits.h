@@ -14,12 +14,14 @@ inline constexpr std::size_t kUrdfBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMeshBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMapBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kPlanBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kSettingsBytes = std::size_t{64} << 10;
 
 // Text
 inline constexpr std::size_t kNesting = 32;            // levels of lists and maps
 inline constexpr std::size_t kOpenBrackets = 1'000;    // in YAML, quoted and commented ones too
 inline constexpr std::size_t kSceneNodes = 2'000'000;  // keys and values of a scene
 inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a plan
+inline constexpr std::size_t kSettingsNodes = 10'000;  // keys and values of a configuration
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
 inline constexpr std::size_t kFaults = 200;            // listed at once

@@ -20,69 +20,47 @@ double weight_of(const Subproblem& subproblem) {
 
 }  // namespace
 
-RemoteWorkforce::RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request,
-                                 std::shared_ptr<const Scene> scene,
-                                 const std::vector<std::string>& solvers, Turn turn)
-    : bus_(bus),
-      board_(board),
-      request_(request),
-      scene_(std::move(scene)),
-      turn_(std::move(turn)),
-      next_task_(request << 32U) {
+RemoteWorkforce::RemoteWorkforce(std::unique_ptr<TaskPort> port, std::shared_ptr<const Scene> scene,
+                                 const std::vector<std::string>& solvers)
+    : port_(std::move(port)), scene_(std::move(scene)) {
   RequestWork work;
-  work.request = request;
   auto bytes = std::make_shared<const Bytes>(encode_scene(*scene_));
   work.scene = hash_of(*bytes);
   work.scene_bytes = std::move(bytes);
   work.hierarchy = encode_hierarchy(solvers);
-  board_.add(std::move(work), {});
-}
-
-RemoteWorkforce::~RemoteWorkforce() {
-  board_.end(request_);
-}
-
-void RemoteWorkforce::run_loop_once() {
-  while (const auto event = bus_.take()) board_.on_event(*event, now_);
-  board_.on_time(now_);
-  while (const auto out = board_.next_outgoing(now_)) {
-    board_.on_published(out->to, bus_.publish(out->to, out->message), now_);
-  }
-  now_ = turn_(bus_, board_.next_deadline());
+  port_->open(std::move(work));
 }
 
 std::vector<Resolution> RemoteWorkforce::solve(const std::vector<Subproblem>& subproblems,
                                                const std::atomic<bool>& stop) {
-  const TaskId first = next_task_;
-  next_task_ += subproblems.size();
-  std::vector<NewTask> tasks;
-  sent_.clear();
-  for (std::size_t i = 0; i < subproblems.size(); ++i) {
-    sent_.push_back(encode_subproblem(subproblems[i]));
-    tasks.push_back({first + i, sent_.back(), weight_of(subproblems[i])});
-  }
-  board_.add(request_, std::move(tasks));
   std::vector<Resolution> resolutions(subproblems.size());
-  for (std::size_t left = subproblems.size(); left > 0 && !stop;) {
-    run_loop_once();
-    take_results(subproblems, first, resolutions, left);
+  std::map<TaskId, std::size_t> place;
+  std::vector<NewTask> tasks;
+  for (std::size_t i = 0; i < subproblems.size(); ++i) {
+    const TaskId id = port_->next_id();
+    place.emplace(id, i);
+    tasks.push_back({id, encode_subproblem(subproblems[i]), weight_of(subproblems[i])});
   }
-  return resolutions;
-}
-
-void RemoteWorkforce::take_results(const std::vector<Subproblem>& subproblems, TaskId first,
-                                   std::vector<Resolution>& out, std::size_t& left) {
-  while (const auto finished = board_.take_finished()) {
-    const std::size_t i = finished->task - first;
-    if (finished->how != FinishedTask::How::kDone) throw TaskFailure(finished->text, sent_[i]);
-    auto resolution = decode_resolution(finished->resolution, *scene_, subproblems[i]);
+  port_->add(std::move(tasks));
+  while (!place.empty()) {
+    const auto finished = port_->wait(stop);
+    if (!finished) break;
+    const auto found = place.find(finished->task);
+    if (found == place.end()) continue;  // of an earlier call that was stopped
+    const Subproblem& subproblem = subproblems[found->second];
+    if (finished->how != FinishedTask::How::kDone) {
+      throw TaskFailure(finished->text, encode_subproblem(subproblem));
+    }
+    auto resolution = decode_resolution(finished->resolution, *scene_, subproblem);
     if (!resolution) {
-      board_.reject(*finished, "its resolution does not hold: " + resolution.error());
+      port_->reject(*finished, "its resolution does not hold: " + resolution.error());
       continue;
     }
-    out[i] = std::move(*resolution);
-    --left;
+    port_->accept(finished->task);
+    resolutions[found->second] = std::move(*resolution);
+    place.erase(found);
   }
+  return resolutions;
 }
 
 }  // namespace accord

@@ -9,6 +9,7 @@
 
 #include "common/planning/random.h"
 #include "common/transport/simulated_network.h"
+#include "coordinator/dispatch/direct_port.h"
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/support/planned_paths.h"
 #include "worker/service/scene_shelf.h"
@@ -103,9 +104,9 @@ class Cluster {
   }
 
   std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene) {
-    RemoteWorkforce workforce(
-        *bus_, board_, 1, scene, default_solver_names(),
-        [this](Bus&, std::optional<Time> deadline) { return turn(deadline); });
+    const auto one_turn = [this](Bus&, std::optional<Time> deadline) { return turn(deadline); };
+    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, 1, one_turn), scene,
+                              default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
 

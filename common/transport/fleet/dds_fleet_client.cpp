@@ -86,7 +86,9 @@ class DdsFleetClient final : public AssemblingClient {
 
 tl::expected<std::unique_ptr<FleetClientPort>, std::string> make_dds_fleet_client(
     const DdsOptions& options) {
-  if (auto fault = options_fault(options)) return tl::unexpected(std::move(*fault));
+  if (const auto fault = options_fault(options)) {
+    return tl::unexpected(fault->option + ": " + fault->text);
+  }
   auto client = std::make_unique<DdsFleetClient>(options.cluster);
   if (auto fault = client->open(options)) return tl::unexpected(std::move(*fault));
   return client;

@@ -86,7 +86,9 @@ class DdsFleetService final : public CheckedService {
 
 tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
     const DdsOptions& options, std::function<void()> wake) {
-  if (auto fault = options_fault(options)) return tl::unexpected(std::move(*fault));
+  if (const auto fault = options_fault(options)) {
+    return tl::unexpected(fault->option + ": " + fault->text);
+  }
   auto service = std::make_unique<DdsFleetService>(std::move(wake));
   if (auto fault = service->open(options)) return tl::unexpected(std::move(*fault));
   return service;
