@@ -38,7 +38,7 @@ void leave_domain(DomainParticipant& participant) {
   DomainParticipantFactory::get_instance()->delete_participant(&participant);
 }
 
-Topic* add_topic(DomainParticipant& participant, const std::string& name, TypeSupport type) {
+Topic* add_topic(DomainParticipant& participant, const std::string& name, const TypeSupport& type) {
   // Cyclone DDS drops endpoints whose types Fast DDS describes.
   type->auto_fill_type_information(false);
   type->auto_fill_type_object(false);

@@ -24,6 +24,6 @@ void leave_domain(eprosima::fastdds::dds::DomainParticipant& participant);
 // Null where Fast DDS refuses.
 eprosima::fastdds::dds::Topic* add_topic(eprosima::fastdds::dds::DomainParticipant& participant,
                                          const std::string& name,
-                                         eprosima::fastdds::dds::TypeSupport type);
+                                         const eprosima::fastdds::dds::TypeSupport& type);
 
 }  // namespace accord::dds

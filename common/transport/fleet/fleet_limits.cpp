@@ -97,8 +97,8 @@ Fault fault_of(const ResendRequest& request) {
 
 // ---- News ----
 
+// Of whatever reason: a newer service may have some that are not known here.
 Fault fault_of(const RequestReply& reply) {
-  if (reply.reason > Rejection::kShuttingDown) return "a reply of an unknown reason";
   return first_of({id_fault(reply.id), text_fault(reply.field), text_fault(reply.text)});
 }
 Fault fault_of(const RequestState& state) {

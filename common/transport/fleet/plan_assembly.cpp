@@ -73,8 +73,9 @@ std::optional<FinishedPlan> PlanAssembly::add(PathPiece piece, Time now) {
   }
   Path& path = plan->second.paths[piece.robot_index];
   const std::size_t bytes = memory_of(piece);
-  const std::uint32_t place = piece.piece;
-  if (!path.pieces.try_emplace(place, std::move(piece)).second) return std::nullopt;
+  const auto [place, is_new] = path.pieces.try_emplace(piece.piece);
+  if (!is_new) return std::nullopt;
+  place->second = std::move(piece);
   if (path.complete()) ++plan->second.complete_paths;
   return account(plan, bytes) ? finish_if_complete(plan) : std::nullopt;
 }
