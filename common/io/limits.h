@@ -60,6 +60,15 @@ inline constexpr std::size_t kResolutionBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kSolvers = 16;  // of one hierarchy
 inline constexpr std::size_t kSolverNameBytes = 64;
 
+// Requests
+inline constexpr std::size_t kRequestIdBytes = 128;
+inline constexpr std::size_t kAttachments = 1'000;
+inline constexpr std::size_t kAttachmentBytes = std::size_t{64} << 20;  // of one request together
+inline constexpr double kDeadline = 1e7;                                // s
+// As the journal keeps them: a scene's text, attachments, and 4 MiB for the rest.
+inline constexpr std::size_t kRequestBytes = std::size_t{72} << 20;
+inline constexpr std::size_t kRequestParts = 50'000;  // four a query, three an attachment
+
 // Plans
 inline constexpr double kPlanTime = 1e9;  // s
 
