@@ -68,7 +68,7 @@ struct LogField {
 //     spdlog::info("planned in {:.1f} s", time);
 class LogScope {
  public:
-  explicit LogScope(std::initializer_list<LogField> fields);
+  LogScope(std::initializer_list<LogField> fields);
   ~LogScope();
   LogScope(const LogScope&) = delete;
   LogScope& operator=(const LogScope&) = delete;

@@ -4,6 +4,7 @@
 
 #include "common/io/limits.h"
 #include "common/transport/dds_settings.h"
+#include "common/transport/fleet/fleet_limits.h"
 
 namespace accord {
 namespace {
@@ -37,7 +38,7 @@ void add_limit_settings(Settings& table, CoordinatorLimits& limits) {
            "Requests planned at once")
       .initial = kOneForEachCore;
   table.add("limits.request_bytes", "--max-request-bytes", limits.request_bytes,
-            bytes(std::size_t{1} << 10, std::size_t{1} << 30),
+            bytes(std::size_t{1} << 10, limits::kSceneBytes + kAttachmentBytes),
             "Size of a request, scene and files together");
   table.add("limits.robots", "--max-robots", limits.robots,
             whole_number<std::size_t>(1, limits::kRobots), "Robots of a request");
