@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/io/request_names.h"
 #include "common/io/wire/request_codec.h"
 
 namespace accord {
@@ -30,7 +31,7 @@ void RequestDesk::on_request(FleetRequest request, Now now) {
 void RequestDesk::submit(PlanRequest request, Now now) {
   const std::string id = request.id;
   if (!is_request_id(id)) {
-    reject(id, Rejection::kBadId, "request_id", std::string(kRequestIdRule));
+    reject(id, Rejection::kBadId, "request_id", "expected " + std::string(kRequestIdInWords));
     return;
   }
   const SceneHash content = request_hash(request);

@@ -6,17 +6,16 @@
 
 #include <atomic>
 #include <csignal>
-#include <fstream>
 #include <list>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "client/engine/planner.h"
 #include "client/fleet/fleet_manager.h"
+#include "client/fleet/scene_request.h"
 #include "common/io/plan_file.h"
 #include "common/io/scene_file.h"
 #include "common/transport/fleet/dds_fleet.h"
@@ -85,14 +84,9 @@ inline std::string scene_path(const std::string& name) {
   return ACCORD_SOURCE_DIR "/scenes/" + name + ".yaml";
 }
 
-// For a scene that names no files.
 inline PlanRequest request_for(const std::string& scene, std::uint64_t seed = 1) {
-  PlanRequest request;
+  PlanRequest request = request_for_scene(scene_path(scene)).request;
   request.id = scene + "-" + std::to_string(seed);
-  std::ifstream file(scene_path(scene));
-  std::stringstream text;
-  text << file.rdbuf();
-  request.scene_text = text.str();
   request.seed = seed;
   return request;
 }

@@ -102,7 +102,7 @@ TEST(Service, RefusesWhatMakesNoSense) {
   ServiceProcesses service;
   service.start_coordinator();
   PlanRequest request = request_for("peer-inlet");
-  request.scene_text = "accord: scene/1\nname: x\nrobots: 5\n";
+  request.scene_text = "accord: scene/1\nname: x\nmodels: {}\nrobots: 5\n";
   const auto answer = service.plan(request);
   ASSERT_FALSE(answer);
   EXPECT_EQ(answer.error().why, NoAnswer::Why::kRejected);
