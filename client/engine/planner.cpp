@@ -15,9 +15,6 @@
 namespace accord {
 namespace {
 
-// Conflicts are looked for with half of planning's margin, so that what planning avoids is not
-// found to be a conflict again for rounding.
-constexpr double kDetectionMargin = 0.5 * kPlanningMargin;
 constexpr std::string_view kArc = "arc";
 constexpr auto kReportEvery = std::chrono::milliseconds(50);
 

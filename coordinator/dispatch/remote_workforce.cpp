@@ -6,6 +6,7 @@
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
+#include "common/planning/resolution_check.h"
 
 namespace accord {
 namespace {
@@ -21,17 +22,17 @@ double weight_of(const Subproblem& subproblem) {
 }  // namespace
 
 RemoteWorkforce::RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request,
-                                 std::shared_ptr<const Scene> scene,
+                                 const CollisionWorld& world,
                                  const std::vector<std::string>& solvers, Turn turn)
     : bus_(bus),
       board_(board),
       request_(request),
-      scene_(std::move(scene)),
+      world_(world),
       turn_(std::move(turn)),
       next_task_(request << 32U) {
   RequestWork work;
   work.request = request;
-  auto bytes = std::make_shared<const Bytes>(encode_scene(*scene_));
+  auto bytes = std::make_shared<const Bytes>(encode_scene(world.scene()));
   work.scene = hash_of(*bytes);
   work.scene_bytes = std::move(bytes);
   work.hierarchy = encode_hierarchy(solvers);
@@ -57,6 +58,7 @@ std::vector<Resolution> RemoteWorkforce::solve(const std::vector<Subproblem>& su
   next_task_ += subproblems.size();
   std::vector<NewTask> tasks;
   sent_.clear();
+  refused_.assign(subproblems.size(), {});
   for (std::size_t i = 0; i < subproblems.size(); ++i) {
     sent_.push_back(encode_subproblem(subproblems[i]));
     tasks.push_back({first + i, sent_.back(), weight_of(subproblems[i])});
@@ -75,14 +77,24 @@ void RemoteWorkforce::take_results(const std::vector<Subproblem>& subproblems, T
   while (const auto finished = board_.take_finished()) {
     const std::size_t i = finished->task - first;
     if (finished->how != FinishedTask::How::kDone) throw TaskFailure(finished->text, sent_[i]);
-    auto resolution = decode_resolution(finished->resolution, *scene_, subproblems[i]);
-    if (!resolution) {
-      board_.reject(*finished, "its resolution does not hold: " + resolution.error());
+    auto resolution = decode_resolution(finished->resolution, world_.scene(), subproblems[i]);
+    const auto fault = resolution ? resolution_fault(world_, subproblems[i], *resolution)
+                                  : std::optional(resolution.error());
+    if (fault) {
+      refuse(*finished, i, *fault);
       continue;
     }
     out[i] = std::move(*resolution);
     --left;
   }
+}
+
+void RemoteWorkforce::refuse(const FinishedTask& finished, std::size_t i,
+                             const std::string& fault) {
+  const std::string why = "its resolution does not hold: " + fault;
+  if (refused_[i] == finished.resolution) throw TaskFailure(why, sent_[i]);
+  refused_[i] = finished.resolution;
+  board_.reject(finished, why);
 }
 
 }  // namespace accord

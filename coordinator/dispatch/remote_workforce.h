@@ -9,15 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "common/model/scene.h"
+#include "common/geometry/collision_world.h"
 #include "common/transport/bus.h"
 #include "coordinator/dispatch/task_board.h"
 #include "coordinator/workforce.h"
 
 namespace accord {
 
-// A task could not be solved by anybody: it kills its workers, or none takes it. The request cannot
-// be finished; whoever has the subproblem can look at it.
+// A task could not be solved by anybody: it kills its workers, none takes it, or two of them return
+// the same resolution, which does not hold: then their solvers are wrong, not they. The request
+// cannot be finished; whoever has the subproblem can look at it.
 class TaskFailure : public std::runtime_error {
  public:
   TaskFailure(const std::string& why, Bytes subproblem)
@@ -34,8 +35,9 @@ class RemoteWorkforce final : public Workforce {
   // For a real bus: waits for an event.
   using Turn = std::function<TaskBoard::Time(Bus& bus, std::optional<TaskBoard::Time> deadline)>;
 
-  // For one request, in one scene, by one hierarchy. All must outlive this.
-  RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request, std::shared_ptr<const Scene> scene,
+  // For one request, in the world's scene, by one hierarchy. All must outlive this.
+  // Requires: the world's margin is kDetectionMargin.
+  RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request, const CollisionWorld& world,
                   const std::vector<std::string>& solvers, Turn turn);
   ~RemoteWorkforce() override;
 
@@ -47,15 +49,17 @@ class RemoteWorkforce final : public Workforce {
   void run_loop_once();
   void take_results(const std::vector<Subproblem>& subproblems, TaskId first,
                     std::vector<Resolution>& out, std::size_t& left);
+  void refuse(const FinishedTask& finished, std::size_t i, const std::string& fault);
 
   Bus& bus_;
   TaskBoard& board_;
   RequestId request_;
-  std::shared_ptr<const Scene> scene_;
+  const CollisionWorld& world_;
   Turn turn_;
   TaskBoard::Time now_{0};
   TaskId next_task_ = 1;
-  std::vector<Bytes> sent_;  // payloads of the present tasks
+  std::vector<Bytes> sent_;     // payloads of the present tasks
+  std::vector<Bytes> refused_;  // what was returned last of each and does not hold
 };
 
 }  // namespace accord

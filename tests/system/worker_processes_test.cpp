@@ -43,7 +43,8 @@ class WorkerProcesses : public ::testing::Test {
   std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene,
                                const std::function<void()>& at_turn = {}) {
     const auto began = Clock::now();
-    RemoteWorkforce workforce(*bus_, board_, ++request_, scene, default_solver_names(),
+    const CollisionWorld world(scene, kDetectionMargin);
+    RemoteWorkforce workforce(*bus_, board_, ++request_, world, default_solver_names(),
                               [&](Bus& bus, std::optional<TaskBoard::Time> deadline) {
                                 if (Clock::now() - began > 60s) throw std::runtime_error("stuck");
                                 if (at_turn) at_turn();
