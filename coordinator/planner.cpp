@@ -14,9 +14,6 @@
 namespace accord {
 namespace {
 
-// Conflicts are looked for with half of planning's margin, so that what planning avoids is not
-// found to be a conflict again for rounding.
-constexpr double kDetectionMargin = 0.5 * kPlanningMargin;
 constexpr auto kReportEvery = std::chrono::milliseconds(50);
 
 using Clock = std::chrono::steady_clock;
@@ -92,7 +89,7 @@ Plan plan_with(const WorkforceFactory& make_workforce, const std::shared_ptr<con
   const Watchdog watchdog(options.timeout, cancel);
   const CollisionWorld planning(scene, kPlanningMargin);
   const CollisionWorld detection(scene, kDetectionMargin);
-  const std::unique_ptr<Workforce> workforce = make_workforce(planning, hierarchy(options));
+  const std::unique_ptr<Workforce> workforce = make_workforce(planning, detection, hierarchy(options));
   const ProgressCallback report = thinned(progress);
   std::unique_ptr<Method> method;
   if (options.method == kArcMethod) {

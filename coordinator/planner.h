@@ -27,10 +27,11 @@ struct PlanOptions {
                                      // Only ARC has a hierarchy
 };
 
-// Makes who solves subproblems, by these solvers in this order. The world is of the scene, with the
-// margin that planning keeps; it outlives the workforce.
+// Makes who solves subproblems, by these solvers in this order. The worlds are of the scene, with
+// the margins that planning and looking for conflicts keep; they outlive the workforce.
 using WorkforceFactory = std::function<std::unique_ptr<Workforce>(
-    const CollisionWorld& planning, const std::vector<std::string>& solvers)>;
+    const CollisionWorld& planning, const CollisionWorld& detection,
+    const std::vector<std::string>& solvers)>;
 
 // `progress` is called from the thread that called plan_with(), at most every 50 ms and at each
 // change of phase. Returns a plan with status solved that the verifier has proved, or one whose

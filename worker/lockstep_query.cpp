@@ -85,6 +85,7 @@ Resolution LockstepQuery::do_solve(const Workspace& workspace, const Subproblem&
   std::vector<std::vector<Vec3>> steps = lockstep.take_steps();
   const std::vector<std::vector<Vec3>> left = lockstep.ways_left();
   for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!left[i].empty()) out.left.push_back(subproblem.tasks[i].robot);
     steps[i].insert(steps[i].end(), left[i].begin(), left[i].end());
     out.paths.push_back(to_path(steps[i], crowd->dof, subproblem.from, duration));
     out.end = std::max(out.end, out.paths.back().end_time());

@@ -17,8 +17,9 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  // A resolution whose local paths are free, at every instant, of obstacles, of each other and of
-  // the outsiders (until all leave the window together, or the horizon); or one that is not solved.
+  // A resolution whose local paths are free, at every instant, of obstacles, and of each other and
+  // the outsiders until they leave the window, each robot on its own (resolution_check.h says when,
+  // and what crowds promise instead); or one that is not solved.
   // Depends on the subproblem alone, unless `stop` becomes true, which ends the attempt unsolved
   // soon. Requires: the subproblem is of the workspace's scene. Thread safe.
   Resolution solve(const Workspace& workspace, const Subproblem& subproblem,

@@ -8,7 +8,7 @@ namespace accord {
 
 Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
           const ProgressCallback& progress, const std::atomic<bool>* cancel) {
-  const WorkforceFactory on_threads = [&](const CollisionWorld& planning,
+  const WorkforceFactory on_threads = [&](const CollisionWorld& planning, const CollisionWorld&,
                                           const std::vector<std::string>& solvers) {
     return std::make_unique<LocalWorkforce>(planning, solvers, std::max(1U, options.threads));
   };

@@ -10,6 +10,10 @@ inline constexpr double kContactResolution = 1e-7;  // m
 // afterwards in spite of rounding.
 inline constexpr double kPlanningMargin = 1e-6;  // m
 
+// Room that is asked of what was planned: where conflicts are looked for, and where a resolution is
+// checked. Half of planning's, so that what planning avoids is not found again for rounding.
+inline constexpr double kDetectionMargin = 0.5 * kPlanningMargin;  // m
+
 // Room that the verifier asks for beyond the clearance: only what rounding needs.
 inline constexpr double kProofMargin = 1e-9;  // m
 

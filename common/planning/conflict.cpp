@@ -77,7 +77,8 @@ class Sweep {
     to_b_.resize(path_b.dof());
   }
 
-  std::optional<double> run(double from, double until) {
+  // As earliest_contact(). Any contact will do where `is_first` is false.
+  std::optional<double> run(double from, double until, bool is_first) {
     std::size_t i = path_a_.segment_at(from), j = path_b_.segment_at(from);
     double t = from;
     path_a_.at(t, from_a_);
@@ -90,9 +91,7 @@ class Sweep {
       path_a_.at(end, to_a_);
       path_b_.at(end, to_b_);
       if (end > t) {
-        const auto contact =
-            world_.first_contact(a_, {from_a_, to_a_, t, end}, b_, {from_b_, to_b_, t, end});
-        if (contact) return contact;
+        if (const auto contact = is_first ? first_contact(t, end) : any_contact(t)) return contact;
       }
       if (end >= until) return std::nullopt;
       t = end;
@@ -104,6 +103,14 @@ class Sweep {
   }
 
  private:
+  std::optional<double> first_contact(double t, double end) const {
+    return world_.first_contact(a_, {from_a_, to_a_, t, end}, b_, {from_b_, to_b_, t, end});
+  }
+  std::optional<double> any_contact(double t) const {
+    if (world_.motions_are_clear(a_, from_a_, to_a_, b_, from_b_, to_b_)) return std::nullopt;
+    return t;
+  }
+
   const CollisionWorld& world_;
   RobotId a_, b_;
   const Trajectory& path_a_;
@@ -111,18 +118,29 @@ class Sweep {
   Configuration from_a_, to_a_, from_b_, to_b_;
 };
 
-}  // namespace
-
-std::optional<double> earliest_contact(const CollisionWorld& world, RobotId a,
-                                       const Trajectory& path_a, RobotId b,
-                                       const Trajectory& path_b, double from, double until) {
+std::optional<double> contact(const CollisionWorld& world, RobotId a, const Trajectory& path_a,
+                              RobotId b, const Trajectory& path_b, double from, double until,
+                              bool is_first) {
   const auto radius_a = world.radius(a), radius_b = world.radius(b);
   if (radius_a && radius_b) {
     const double distance = *radius_a + *radius_b + world.required_separation();
     DistanceTally tally(world);
     return earliest_point_contact(path_a, path_b, distance, from, until, tally);
   }
-  return Sweep(world, a, path_a, b, path_b).run(from, until);
+  return Sweep(world, a, path_a, b, path_b).run(from, until, is_first);
+}
+
+}  // namespace
+
+std::optional<double> earliest_contact(const CollisionWorld& world, RobotId a,
+                                       const Trajectory& path_a, RobotId b,
+                                       const Trajectory& path_b, double from, double until) {
+  return contact(world, a, path_a, b, path_b, from, until, true);
+}
+
+bool paths_are_clear(const CollisionWorld& world, RobotId a, const Trajectory& path_a, RobotId b,
+                     const Trajectory& path_b, double from, double until) {
+  return !contact(world, a, path_a, b, path_b, from, until, false);
 }
 
 }  // namespace accord

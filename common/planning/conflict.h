@@ -25,4 +25,9 @@ std::optional<double> earliest_contact(const CollisionWorld& world, RobotId a,
                                        const Trajectory& path_a, RobotId b,
                                        const Trajectory& path_b, double from, double until);
 
+// Whether there is none: as earliest_contact(), but does not look for the first, which takes
+// longer.
+bool paths_are_clear(const CollisionWorld& world, RobotId a, const Trajectory& path_a, RobotId b,
+                     const Trajectory& path_b, double from, double until);
+
 }  // namespace accord

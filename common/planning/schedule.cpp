@@ -1,9 +1,9 @@
 #include "common/planning/schedule.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "common/planning/resolution_form.h"
 #include "common/planning/splice.h"
 
 namespace accord {
@@ -30,36 +30,6 @@ void close_gaps(double end, std::vector<CouplingSegment>& coupling) {
   }
 }
 
-// Whether a local path's end is the task's goal, up to whole turns.
-bool reaches_goal(const RobotModel& model, const Task& task, ConfigurationView end) {
-  constexpr double kSamePlace = 1e-9;
-  Configuration delta(end.size());
-  difference(model, task.goal, end, delta);
-  return std::ranges::all_of(delta, [](double d) { return std::abs(d) <= kSamePlace; });
-}
-
-bool has_sound_times(const Trajectory& path) {
-  const auto is_not_later = [](double t, double next) { return !(next > t); };
-  return std::isfinite(path.end_time()) &&
-         std::ranges::adjacent_find(path.times(), is_not_later) == path.times().end();
-}
-
-bool fits(const Scene& scene, const Subproblem& subproblem, const Resolution& resolution) {
-  if (!resolution.solved && !resolution.improves()) return false;
-  if (resolution.paths.size() != subproblem.tasks.size()) return false;
-  for (std::size_t i = 0; i < resolution.paths.size(); ++i) {
-    const Trajectory& path = resolution.paths[i];
-    const Task& task = subproblem.tasks[i];
-    if (path.empty() || path.dof() != task.start.size()) return false;
-    if (path.start_time() != subproblem.from || !has_sound_times(path)) return false;
-    if (path.end_time() > resolution.end) return false;
-    if (!std::ranges::equal(path.configuration(0), task.start)) return false;
-    const RobotModel& model = *scene.robot(task.robot).model;
-    if (!reaches_goal(model, task, path.configuration(path.size() - 1))) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Schedule::Schedule(std::shared_ptr<const Scene> scene)
@@ -73,7 +43,7 @@ void Schedule::set_initial(RobotId robot, Trajectory path, std::string solver) {
 }
 
 bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution) {
-  if (!fits(*scene_, subproblem, resolution)) return false;
+  if (form_fault(*scene_, subproblem, resolution)) return false;
   for (const Task& task : subproblem.tasks) {
     if (version(task.robot) != task.version) return false;
   }

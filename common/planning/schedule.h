@@ -42,7 +42,7 @@ class Schedule {
   // local path, from whose end it goes on along its old path at once. (The paper lets all robots
   // leave the window together; that makes everyone wait for the slowest, and what a robot meets on
   // its tail is found by the next scan either way.)
-  // False, and nothing changes, when a version differs or the local paths do not fit the window.
+  // False, and nothing changes, when a version differs or the resolution has a form_fault().
   [[nodiscard]] bool commit(const Subproblem& subproblem, const Resolution& resolution);
 
  private:

@@ -33,6 +33,9 @@ struct Task {
   Trajectory guide;        // the robot's present path inside the window
   Trajectory tail;         // and after it, as far as the horizon; begins at the goal
   int roadmap_level = -1;  // of the robot's own roadmap, to search on as well; -1: none
+
+  // Whether the robot goes on after its goal; else it rests there.
+  bool goes_on() const { return tail.size() > 1; }
 };
 
 // A robot that is not part of the subproblem and keeps to its present path.
@@ -113,6 +116,8 @@ struct Resolution {
   std::vector<Trajectory> paths;  // one a task; from `from` to its arrival, at most `end`
   // Of a crowd that is not solved: robots that no path was found for, so that they keep to their
   // present ones. All others keep clear of each other on theirs, which is worth having.
+  // Of a crowd in lockstep that is solved: robots that had not arrived with the others, and go on
+  // as if alone once the last of these has.
   std::vector<RobotId> left;
   Effort effort;
 

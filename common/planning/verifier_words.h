@@ -1,4 +1,4 @@
-// How the verifier says numbers, places and gaps to people.
+// How the verifier, and the checks of resolutions, say numbers, places and gaps to people.
 #pragma once
 
 #include <string>

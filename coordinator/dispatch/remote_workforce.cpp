@@ -6,6 +6,7 @@
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
+#include "common/planning/resolution_check.h"
 
 namespace accord {
 namespace {
@@ -20,11 +21,11 @@ double weight_of(const Subproblem& subproblem) {
 
 }  // namespace
 
-RemoteWorkforce::RemoteWorkforce(std::unique_ptr<TaskPort> port, std::shared_ptr<const Scene> scene,
+RemoteWorkforce::RemoteWorkforce(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
                                  const std::vector<std::string>& solvers)
-    : port_(std::move(port)), scene_(std::move(scene)) {
+    : port_(std::move(port)), world_(world) {
   RequestWork work;
-  auto bytes = std::make_shared<const Bytes>(encode_scene(*scene_));
+  auto bytes = std::make_shared<const Bytes>(encode_scene(world.scene()));
   work.scene = hash_of(*bytes);
   work.scene_bytes = std::move(bytes);
   work.hierarchy = encode_hierarchy(solvers);
@@ -34,33 +35,46 @@ RemoteWorkforce::RemoteWorkforce(std::unique_ptr<TaskPort> port, std::shared_ptr
 std::vector<Resolution> RemoteWorkforce::solve(const std::vector<Subproblem>& subproblems,
                                                const std::atomic<bool>& stop) {
   std::vector<Resolution> resolutions(subproblems.size());
-  std::map<TaskId, std::size_t> place;
+  std::map<TaskId, Sent> sent;
   std::vector<NewTask> tasks;
   for (std::size_t i = 0; i < subproblems.size(); ++i) {
     const TaskId id = port_->next_id();
-    place.emplace(id, i);
+    sent.emplace(id, Sent{i, {}});
     tasks.push_back({id, encode_subproblem(subproblems[i]), weight_of(subproblems[i])});
   }
   port_->add(std::move(tasks));
-  while (!place.empty()) {
+  while (!sent.empty()) {
     const auto finished = port_->wait(stop);
     if (!finished) break;
-    const auto found = place.find(finished->task);
-    if (found == place.end()) continue;  // of an earlier call that was stopped
-    const Subproblem& subproblem = subproblems[found->second];
-    if (finished->how != FinishedTask::How::kDone) {
-      throw TaskFailure(finished->text, encode_subproblem(subproblem));
+    const auto found = sent.find(finished->task);
+    if (found == sent.end()) continue;  // of an earlier call that was stopped
+    const std::size_t i = found->second.place;
+    if (auto resolution = take(*finished, subproblems[i], found->second)) {
+      resolutions[i] = std::move(*resolution);
+      sent.erase(found);
     }
-    auto resolution = decode_resolution(finished->resolution, *scene_, subproblem);
-    if (!resolution) {
-      port_->reject(*finished, "its resolution does not hold: " + resolution.error());
-      continue;
-    }
-    port_->accept(finished->task);
-    resolutions[found->second] = std::move(*resolution);
-    place.erase(found);
   }
   return resolutions;
+}
+
+std::optional<Resolution> RemoteWorkforce::take(const FinishedTask& finished,
+                                                const Subproblem& subproblem, Sent& sent) {
+  if (finished.how != FinishedTask::How::kDone) {
+    throw TaskFailure(finished.text, encode_subproblem(subproblem));
+  }
+  auto resolution = decode_resolution(finished.resolution, world_.scene(), subproblem);
+  const auto fault = resolution ? resolution_fault(world_, subproblem, *resolution)
+                                : std::optional(resolution.error());
+  if (!fault) {
+    port_->accept(finished.task);
+    return std::move(*resolution);
+  }
+  const std::string why = "its resolution does not hold: " + *fault;
+  // Two that say the same are no liars: the solvers are wrong.
+  if (sent.refused == finished.resolution) throw TaskFailure(why, encode_subproblem(subproblem));
+  sent.refused = finished.resolution;
+  port_->reject(finished, why);
+  return std::nullopt;
 }
 
 }  // namespace accord

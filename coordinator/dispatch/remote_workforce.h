@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "common/model/scene.h"
+#include "common/geometry/collision_world.h"
 #include "coordinator/dispatch/task_port.h"
 #include "coordinator/workforce.h"
 
 namespace accord {
 
-// A task could not be solved by anybody: it kills its workers, or none takes it. The request cannot
-// be finished; whoever has the subproblem can look at it.
+// A task could not be solved by anybody: it kills its workers, none takes it, or two of them return
+// the same resolution, which does not hold: then their solvers are wrong, not they. The request
+// cannot be finished; whoever has the subproblem can look at it.
 class TaskFailure : public std::runtime_error {
  public:
   TaskFailure(const std::string& why, Bytes subproblem)
@@ -29,8 +30,9 @@ class TaskFailure : public std::runtime_error {
 
 class RemoteWorkforce final : public Workforce {
  public:
-  // For one request, in one scene, by one hierarchy.
-  RemoteWorkforce(std::unique_ptr<TaskPort> port, std::shared_ptr<const Scene> scene,
+  // For one request, in the world's scene, by one hierarchy. The world must outlive this.
+  // Requires: its margin is kDetectionMargin.
+  RemoteWorkforce(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
                   const std::vector<std::string>& solvers);
 
   // Throws TaskFailure.
@@ -38,8 +40,15 @@ class RemoteWorkforce final : public Workforce {
                                 const std::atomic<bool>& stop) override;
 
  private:
+  struct Sent {
+    std::size_t place;  // of its subproblem
+    Bytes refused;      // what was returned of it last and does not hold
+  };
+  std::optional<Resolution> take(const FinishedTask& finished, const Subproblem& subproblem,
+                                 Sent& sent);
+
   std::unique_ptr<TaskPort> port_;
-  std::shared_ptr<const Scene> scene_;
+  const CollisionWorld& world_;
 };
 
 }  // namespace accord

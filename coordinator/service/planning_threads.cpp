@@ -151,9 +151,9 @@ Plan PlanningThreads::plan(const Running& running) {
     request = next_request_++;
   }
   const Job& job = running.job;
-  const WorkforceFactory by_workers = [&](const CollisionWorld&,
+  const WorkforceFactory by_workers = [&](const CollisionWorld&, const CollisionWorld& detection,
                                           const std::vector<std::string>& solvers) {
-    return std::make_unique<RemoteWorkforce>(mailbox_.open_port(request), job.scene, solvers);
+    return std::make_unique<RemoteWorkforce>(mailbox_.open_port(request), detection, solvers);
   };
   return plan_with(
       by_workers, job.scene, job.options,

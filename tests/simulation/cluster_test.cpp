@@ -2,15 +2,22 @@
 // links are cut; messages get lost, come twice or out of order. The plan is the one of a quiet day.
 //
 // ACCORD_CLUSTERS: how many seeded clusters to run; 150 unless told (the campaign: 1000).
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <list>
 
+#include "common/geometry/tolerances.h"
+#include "common/io/wire/resolution_codec.h"
+#include "common/io/wire/subproblem_codec.h"
 #include "common/planning/random.h"
 #include "common/transport/simulated_network.h"
 #include "coordinator/dispatch/direct_port.h"
 #include "coordinator/dispatch/remote_workforce.h"
+#include "tests/simulation/lies.h"
 #include "tests/support/planned_paths.h"
 #include "worker/service/scene_shelf.h"
 #include "worker/service/task_desk.h"
@@ -38,7 +45,7 @@ class SimulatedWorker {
   EndpointId id() const { return bus_->self(); }
   bool dead = false;
   bool frozen = false;
-  bool lies = false;
+  std::function<void(const TaskDesk::Job&, Bytes& resolution)> lie;
 
   void step(Time now) {
     while (const auto event = bus_->take()) desk_.on_event(*event, now);
@@ -58,7 +65,7 @@ class SimulatedWorker {
         continue;
       }
       ResultItem result = shelf_.solve(run->job, stop_);
-      if (lies && !result.resolution.empty()) result.resolution.resize(3);
+      if (lie && !result.resolution.empty()) lie(run->job, result.resolution);
       desk_.on_ended(run->job, std::move(result));
       run = running_.erase(run);
     }
@@ -105,7 +112,8 @@ class Cluster {
 
   std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene) {
     const auto one_turn = [this](Bus&, std::optional<Time> deadline) { return turn(deadline); };
-    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, 1, one_turn), scene,
+    const CollisionWorld world(scene, kDetectionMargin);
+    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, 1, one_turn), world,
                               default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
@@ -175,7 +183,11 @@ class Cluster {
         start_worker(kProtocol + 1);
         break;
       case 8:
-        start_worker().lies = true;
+        start_worker().lie = [own = std::uint8_t(random_.below(256))](const auto&,
+                                                                      Bytes& resolution) {
+          resolution.resize(3);
+          resolution.push_back(own);
+        };
         break;
       default:
         break;
@@ -215,6 +227,77 @@ TEST_P(Clusters, PlanAsOneProcessDoesWhateverTheNumberOfWorkers) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Clusters,
                          ::testing::Values("peer-inlet", "low-mobile-16", "adaptive-mobile",
                                            "mixed-cell", "rack-drones"));
+
+// A worker that returns what does not hold, once it can, in the scene that it is in.
+class Liar {
+ public:
+  Liar(const std::shared_ptr<const Scene>& scene, testing::Lie lie)
+      : world_(scene, kProofMargin), lie_(lie) {}
+
+  void operator()(const TaskDesk::Job& job, Bytes& bytes) {
+    const auto subproblem = decode_subproblem(job.subproblem, world_.scene());
+    auto resolution = decode_resolution(bytes, world_.scene(), *subproblem);
+    if (!resolution->solved || !lie_(world_, *subproblem, *resolution)) return;
+    bytes = encode_resolution(*resolution);
+    ++lies;
+  }
+  std::size_t lies = 0;
+
+ private:
+  CollisionWorld world_;
+  testing::Lie lie_;
+};
+
+struct LyingCase {
+  const char* name;
+  testing::Lie lie;
+  const char* scene;
+  const char* found_out;  // part of what it is told
+};
+
+class ClustersWithALiar : public ::testing::TestWithParam<LyingCase> {};
+
+TEST_P(ClustersWithALiar, FindItOutAndPlanAsOnAQuietDay) {
+  const auto scene = testing::example_scene(GetParam().scene);
+  const auto expected = testing::paths_planned_in_process(scene);
+  Cluster cluster(1, false);
+  cluster.start_worker();
+  Liar liar(scene, GetParam().lie);
+  SimulatedWorker& lying = cluster.start_worker();
+  lying.lie = std::ref(liar);
+  EXPECT_EQ(cluster.plan(scene), expected);
+  EXPECT_GE(liar.lies, 1U) << "it never came to lie";
+  const WorkerRecord& record = cluster.board().workers().at(lying.id());
+  EXPECT_EQ(record.standing, WorkerRecord::Standing::kDistrusted);
+  EXPECT_THAT(record.why, ::testing::HasSubstr(GetParam().found_out));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lies, ClustersWithALiar,
+    ::testing::Values(
+        LyingCase{"EndsElsewhere", testing::ends_elsewhere, "peer-inlet", "end at its goal"},
+        LyingCase{"IsTooFast", testing::is_too_fast, "peer-inlet", "faster than it can"},
+        LyingCase{"CutsThroughAnObstacle", testing::cuts_through_an_obstacle, "depot-map",
+                  "comes too close to \""},
+        LyingCase{"TouchesItsTeam", testing::touches_its_team, "peer-parallel-008",
+                  "come too close to each other"},
+        LyingCase{"TouchesAnOutsider", testing::touches_an_outsider, "random-crossing-0032",
+                  "come too close to each other"}),
+    [](const auto& param_info) { return param_info.param.name; });
+
+// Else they would be distrusted one after the other.
+TEST(ClustersWithWrongSolvers, BlameTheTaskOnceTwoReturnTheSame) {
+  const auto scene = testing::example_scene("peer-inlet");
+  Cluster cluster(1, false);
+  Liar same_solver(scene, testing::touches_its_team);
+  for (int i = 0; i < 4; ++i) cluster.start_worker().lie = std::ref(same_solver);
+  EXPECT_THROW(cluster.plan(scene), TaskFailure);
+  EXPECT_EQ(same_solver.lies, 2U);
+  const auto is_distrusted = [](const auto& entry) {
+    return entry.second.standing == WorkerRecord::Standing::kDistrusted;
+  };
+  EXPECT_EQ(std::ranges::count_if(cluster.board().workers(), is_distrusted), 1);
+}
 
 TEST(SufferingClusters, PlanAsOnAQuietDay) {
   const char* told = std::getenv("ACCORD_CLUSTERS");

@@ -19,7 +19,7 @@ namespace accord::testing {
 inline std::vector<Trajectory> planned_paths(const std::shared_ptr<const Scene>& scene,
                                              Workforce& workforce) {
   const CollisionWorld planning(scene, kPlanningMargin);
-  const CollisionWorld detection(scene, 0.5 * kPlanningMargin);
+  const CollisionWorld detection(scene, kDetectionMargin);
   const std::atomic<bool> stop{false};
   Arc arc(planning, detection, 1, workforce, stop, {});
   const Outcome outcome = arc.run();

@@ -53,7 +53,8 @@ class WorkerProcesses : public ::testing::Test {
       bus.wait_for_event(wait);
       return TaskBoard::Time(Clock::now() - began_);
     };
-    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), scene,
+    const CollisionWorld world(scene, kDetectionMargin);
+    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), world,
                               default_solver_names());
     return testing::planned_paths(scene, workforce);
   }

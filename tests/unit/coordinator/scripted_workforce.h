@@ -77,7 +77,7 @@ class MethodTest : public ::testing::Test {
   Outcome run(const SceneBuilder& builder) {
     const auto scene = builder.build();
     planning_.emplace(scene, kPlanningMargin);
-    detection_.emplace(scene, 0.5 * kPlanningMargin);
+    detection_.emplace(scene, kDetectionMargin);
     method_.emplace(*planning_, *detection_, 1, workforce_, stop_, nullptr);
     return method_->run();
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/tolerances.h"
+#include "common/planning/resolution_check.h"
 #include "tests/support/problems.h"
 #include "worker/cbs_mp.h"
 
@@ -45,6 +46,11 @@ class SolverContract : public ::testing::TestWithParam<Case> {
 
 TEST_P(SolverContract, WhatItSolvesIsFreeAndFitsTheWindow) {
   EXPECT_EQ(contract_breach(world_, problem_.subproblem, solve()), "");
+}
+
+TEST_P(SolverContract, WhatItReturnsIsNotRefused) {
+  const CollisionWorld detection(problem_.scene, kDetectionMargin);
+  EXPECT_EQ(resolution_fault(detection, problem_.subproblem, solve()), std::nullopt);
 }
 
 TEST_P(SolverContract, TheSameSubproblemGivesTheSameResolution) {
