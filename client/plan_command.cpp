@@ -138,7 +138,8 @@ void add_options(CLI::App& command, CommandOptions& options) {
                                                                 {"off", spdlog::level::off}};
   command
       .add_option("--log", options.log,
-                  "Least level of what is logged to stderr; debug: a line for each subproblem")
+                  "Least level of what is logged to stderr; info: what it cost; debug: a line for "
+                  "each subproblem")
       ->transform(CLI::CheckedTransformer(levels));
 }
 

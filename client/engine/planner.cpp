@@ -1,5 +1,7 @@
 #include "client/engine/planner.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
@@ -53,7 +55,7 @@ void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
   compute_costs(plan);
 }
 
-void fill_statistics(const PlanningStatistics& from, std::uint64_t distance_queries, Plan& plan) {
+void fill_statistics(const PlanningStatistics& from, Plan& plan) {
   const auto add = [&](std::string name, auto value) {
     plan.statistics.emplace_back(std::move(name), static_cast<double>(value));
   };
@@ -70,7 +72,6 @@ void fill_statistics(const PlanningStatistics& from, std::uint64_t distance_quer
   add("samples", from.effort.samples);
   add("motion_checks", from.effort.motion_checks);
   add("pair_checks", from.pair_checks);
-  add("distance_queries", distance_queries);
   add("lower_bound", from.lower_bound);
   add("initial_paths_time", from.initial_time);
   add("conflicts_time", from.conflict_time);
@@ -127,8 +128,9 @@ Plan plan(const std::shared_ptr<const Scene>& scene, const PlanOptions& options,
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
-  fill_statistics(method->statistics(), planning.distance_queries() + detection.distance_queries(),
-                  plan);
+  fill_statistics(method->statistics(), plan);
+  // Not of the plan: worker processes, and what is remembered in each, would change it.
+  spdlog::info("{} distance queries", planning.distance_queries() + detection.distance_queries());
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});
