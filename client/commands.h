@@ -9,6 +9,7 @@
 namespace accord {
 
 void add_plan_command(CLI::App& app, ExitCode& exit_code);
+void add_submit_command(CLI::App& app, ExitCode& exit_code);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);
 void add_info_command(CLI::App& app, ExitCode& exit_code);
 void add_render_command(CLI::App& app, ExitCode& exit_code);

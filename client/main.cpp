@@ -25,7 +25,8 @@ constexpr const char* kFooter = R"(Exit codes:
   2  the command line makes no sense
   3  a file cannot be read or written, or is wrong
   4  no plan was found by a search that went as far as it goes, or the plan given is refuted
-  5  time ran out, or the request was cancelled)";
+  5  time ran out, or the request was cancelled
+  6  no planning service answers)";
 
 // What to say of a word in the place of a command that is none; CLI11 would only say that a command
 // is missing.
@@ -58,6 +59,7 @@ ExitCode run(int argc, char** argv) {
 
   ExitCode exit_code = ExitCode::kSuccess;
   accord::add_plan_command(app, exit_code);
+  accord::add_submit_command(app, exit_code);
   accord::add_verify_command(app, exit_code);
   accord::add_info_command(app, exit_code);
   accord::add_render_command(app, exit_code);

@@ -28,6 +28,26 @@ std::string words(const Progress& progress, std::size_t robots) {
 
 }  // namespace
 
+std::string in_words(const RequestState& state) {
+  Progress progress{Progress::Phase::kInitialPaths, state.robots_planned, state.conflicts_found,
+                    state.conflicts_resolved, state.rounds};
+  switch (state.phase) {
+    case RequestPhase::kQueued:
+      return fmt::format("accepted, {} before it", counted(state.ahead, "request"));
+    case RequestPhase::kInitialPaths:
+      break;
+    case RequestPhase::kConflicts:
+      progress.phase = Progress::Phase::kConflicts;
+      break;
+    case RequestPhase::kProof:
+      progress.phase = Progress::Phase::kProof;
+      break;
+    case RequestPhase::kFinished:
+      return "finished";
+  }
+  return words(progress, state.robots);
+}
+
 bool stderr_is_a_terminal() {
   return isatty(STDERR_FILENO) != 0;
 }
@@ -40,8 +60,16 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const Progress& progress) {
+  show(words(progress, robots_));
+}
+
+void ProgressLine::show(const RequestState& state) {
+  show(in_words(state));
+}
+
+void ProgressLine::show(const std::string& words) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  terminal_ << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words(progress, robots_))
+  terminal_ << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words)
             << std::flush;
   shown_ = true;
 }

@@ -1,15 +1,20 @@
-// Shows on one line of a terminal how far a request is. Used from one thread.
+// Shows how far a request is, on one line of a terminal. Used from one thread.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
+#include <string>
 
 #include "client/engine/planner.h"
+#include "common/model/request_state.h"
 
 namespace accord {
 
 bool stderr_is_a_terminal();
+
+// In a few words, such as "conflicts: 12 found, 3 resolutions, round 2".
+std::string in_words(const RequestState& state);
 
 class ProgressLine {
  public:
@@ -20,8 +25,11 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
+  void show(const RequestState& state);
 
  private:
+  void show(const std::string& words);
+
   std::ostream& terminal_;
   std::size_t robots_;
   bool shown_ = false;

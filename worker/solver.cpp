@@ -17,21 +17,6 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
   return do_solve(workspace, subproblem, stop);
 }
 
-const std::vector<std::string>& local_solver_names() {
-  static const std::vector<std::string> names{
-      std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
-      std::string(DecoupledPrm::kName), std::string(CompositeRrtConnect::kName),
-      std::string(CompositePrm::kName)};
-  return names;
-}
-
-const std::vector<std::string>& default_solver_names() {
-  static const std::vector<std::string> names{
-      std::string(LockstepQuery::kName), std::string(PrioritizedQuery::kName),
-      std::string(DecoupledPrm::kName), std::string(CompositePrm::kName)};
-  return names;
-}
-
 std::unique_ptr<Solver> make_solver(std::string_view name) {
   if (name == LockstepQuery::kName) return std::make_unique<LockstepQuery>();
   if (name == PrioritizedQuery::kName) return std::make_unique<PrioritizedQuery>();

@@ -34,13 +34,7 @@ class Solver {
                               const std::atomic<bool>& stop) const = 0;
 };
 
-// Those that a hierarchy may name, least coupling first. (make_solver() also knows "cbs-mp", which
-// solves whole problems only.)
-const std::vector<std::string>& local_solver_names();
-// Those of the hierarchy unless told otherwise: "lockstep-query" for crowds too large for the
-// levels, and the paper's levels, "prioritized-query", "decoupled-prm" and "composite-prm".
-const std::vector<std::string>& default_solver_names();
-
+// Those of local_solver_names(), and "cbs-mp", which solves whole problems only.
 // nullptr for an unknown name.
 std::unique_ptr<Solver> make_solver(std::string_view name);
 

@@ -14,12 +14,14 @@ inline constexpr std::size_t kUrdfBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMeshBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMapBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kPlanBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kSettingsBytes = std::size_t{64} << 10;
 
 // Text
 inline constexpr std::size_t kNesting = 32;            // levels of lists and maps
 inline constexpr std::size_t kOpenBrackets = 1'000;    // in YAML, quoted and commented ones too
 inline constexpr std::size_t kSceneNodes = 2'000'000;  // keys and values of a scene
 inline constexpr std::size_t kPlanNodes = 32'000'000;  // keys and values of a plan
+inline constexpr std::size_t kSettingsNodes = 10'000;  // keys and values of a configuration
 inline constexpr std::size_t kNameBytes = 200;
 inline constexpr std::size_t kXmlAttributes = 20'000;  // tinyxml2 takes time quadratic in them
 inline constexpr std::size_t kFaults = 200;            // listed at once
@@ -57,6 +59,15 @@ inline constexpr std::size_t kSubproblemBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kResolutionBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kSolvers = 16;  // of one hierarchy
 inline constexpr std::size_t kSolverNameBytes = 64;
+
+// Requests
+inline constexpr std::size_t kRequestIdBytes = 128;
+inline constexpr std::size_t kAttachments = 1'000;
+inline constexpr std::size_t kAttachmentBytes = std::size_t{64} << 20;  // of one request together
+inline constexpr double kDeadline = 1e7;                                // s
+// As the journal keeps them: a scene's text, attachments, and 4 MiB for the rest.
+inline constexpr std::size_t kRequestBytes = std::size_t{72} << 20;
+inline constexpr std::size_t kRequestParts = 50'000;  // four a query, three an attachment
 
 // Plans
 inline constexpr double kPlanTime = 1e9;  // s

@@ -26,6 +26,8 @@ std::string_view to_string(Rejection reason) {
       return "no_journal";
     case Rejection::kShuttingDown:
       return "shutting_down";
+    case Rejection::kUnknownRequest:
+      return "unknown_request";
   }
   return "unknown";
 }

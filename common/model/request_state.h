@@ -21,6 +21,7 @@ enum class Rejection : std::uint16_t {
   kQueueFull = 8,      // as many requests as the service holds are waiting
   kNoJournal = 9,      // the journal cannot be written, so it could get lost
   kShuttingDown = 10,  // the service is about to end
+  kUnknownRequest = 11,  // said again or cancelled cannot be what nobody knows
 };
 std::string_view to_string(Rejection reason);
 

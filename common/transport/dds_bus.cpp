@@ -170,7 +170,9 @@ class DdsBus final : public Bus {
 }  // namespace
 
 tl::expected<std::unique_ptr<Bus>, std::string> make_dds_bus(Role role, const DdsOptions& options) {
-  if (auto fault = options_fault(options)) return tl::unexpected(std::move(*fault));
+  if (const auto fault = options_fault(options)) {
+    return tl::unexpected(fault->option + ": " + fault->text);
+  }
   auto bus = std::make_unique<DdsBus>(
       PeerName{options.cluster, options.protocol, role, random_endpoint_id()});
   if (auto fault = bus->open(options)) return tl::unexpected(std::move(*fault));

@@ -6,15 +6,22 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/transport/messages.h"
 
 namespace accord {
 
+inline constexpr std::uint32_t kMostDomain = 232;  // beyond it ports end
+inline constexpr std::size_t kLeastSegmentBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMostSegmentBytes = std::size_t{1} << 30;
+
 struct DdsAddress {
   std::string ip;          // IPv4
   std::uint16_t port = 0;  // 0: the domain's own
+
+  friend bool operator==(const DdsAddress&, const DdsAddress&) = default;
 };
 
 struct DdsOptions {
@@ -31,9 +38,9 @@ struct DdsOptions {
   };
 
   // Endpoints of one cluster talk to each other only, whatever else is in the domain.
-  // Letters, digits, '-', '_', '.'; at most 64.
+  // See is_cluster_name().
   std::string cluster = "default";
-  std::uint32_t domain = 0;  // 0 to 232
+  std::uint32_t domain = 0;  // at most kMostDomain
   Transport transport = Transport::kBoth;
   Discovery discovery = Discovery::kMulticast;
   std::vector<std::string> interfaces;  // IPv4 addresses of this machine to use; empty: all
@@ -45,7 +52,15 @@ struct DdsOptions {
   std::uint32_t protocol = kProtocol;                 // another one: for tests of strangers
 };
 
-// Why options make no sense, as a sentence; nullopt where they do.
-std::optional<std::string> options_fault(const DdsOptions& options);
+// Letters, digits, '-', '_', '.'; 1 to 64 of them.
+bool is_cluster_name(std::string_view text);
+
+struct OptionsFault {
+  std::string option;  // the name of a member of DdsOptions
+  std::string text;    // what is wrong with it, and what was expected
+};
+
+// Why options make no sense; nullopt where they do.
+std::optional<OptionsFault> options_fault(const DdsOptions& options);
 
 }  // namespace accord

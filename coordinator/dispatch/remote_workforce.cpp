@@ -21,80 +21,60 @@ double weight_of(const Subproblem& subproblem) {
 
 }  // namespace
 
-RemoteWorkforce::RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request,
-                                 const CollisionWorld& world,
-                                 const std::vector<std::string>& solvers, Turn turn)
-    : bus_(bus),
-      board_(board),
-      request_(request),
-      world_(world),
-      turn_(std::move(turn)),
-      next_task_(request << 32U) {
+RemoteWorkforce::RemoteWorkforce(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
+                                 const std::vector<std::string>& solvers)
+    : port_(std::move(port)), world_(world) {
   RequestWork work;
-  work.request = request;
   auto bytes = std::make_shared<const Bytes>(encode_scene(world.scene()));
   work.scene = hash_of(*bytes);
   work.scene_bytes = std::move(bytes);
   work.hierarchy = encode_hierarchy(solvers);
-  board_.add(std::move(work), {});
-}
-
-RemoteWorkforce::~RemoteWorkforce() {
-  board_.end(request_);
-}
-
-void RemoteWorkforce::run_loop_once() {
-  while (const auto event = bus_.take()) board_.on_event(*event, now_);
-  board_.on_time(now_);
-  while (const auto out = board_.next_outgoing(now_)) {
-    board_.on_published(out->to, bus_.publish(out->to, out->message), now_);
-  }
-  now_ = turn_(bus_, board_.next_deadline());
+  port_->open(std::move(work));
 }
 
 std::vector<Resolution> RemoteWorkforce::solve(const std::vector<Subproblem>& subproblems,
                                                const std::atomic<bool>& stop) {
-  const TaskId first = next_task_;
-  next_task_ += subproblems.size();
-  std::vector<NewTask> tasks;
-  sent_.clear();
-  refused_.assign(subproblems.size(), {});
-  for (std::size_t i = 0; i < subproblems.size(); ++i) {
-    sent_.push_back(encode_subproblem(subproblems[i]));
-    tasks.push_back({first + i, sent_.back(), weight_of(subproblems[i])});
-  }
-  board_.add(request_, std::move(tasks));
   std::vector<Resolution> resolutions(subproblems.size());
-  for (std::size_t left = subproblems.size(); left > 0 && !stop;) {
-    run_loop_once();
-    take_results(subproblems, first, resolutions, left);
+  std::map<TaskId, Sent> sent;
+  std::vector<NewTask> tasks;
+  for (std::size_t i = 0; i < subproblems.size(); ++i) {
+    const TaskId id = port_->next_id();
+    sent.emplace(id, Sent{i, {}});
+    tasks.push_back({id, encode_subproblem(subproblems[i]), weight_of(subproblems[i])});
+  }
+  port_->add(std::move(tasks));
+  while (!sent.empty()) {
+    const auto finished = port_->wait(stop);
+    if (!finished) break;
+    const auto found = sent.find(finished->task);
+    if (found == sent.end()) continue;  // of an earlier call that was stopped
+    const std::size_t i = found->second.place;
+    if (auto resolution = take(*finished, subproblems[i], found->second)) {
+      resolutions[i] = std::move(*resolution);
+      sent.erase(found);
+    }
   }
   return resolutions;
 }
 
-void RemoteWorkforce::take_results(const std::vector<Subproblem>& subproblems, TaskId first,
-                                   std::vector<Resolution>& out, std::size_t& left) {
-  while (const auto finished = board_.take_finished()) {
-    const std::size_t i = finished->task - first;
-    if (finished->how != FinishedTask::How::kDone) throw TaskFailure(finished->text, sent_[i]);
-    auto resolution = decode_resolution(finished->resolution, world_.scene(), subproblems[i]);
-    const auto fault = resolution ? resolution_fault(world_, subproblems[i], *resolution)
-                                  : std::optional(resolution.error());
-    if (fault) {
-      refuse(*finished, i, *fault);
-      continue;
-    }
-    out[i] = std::move(*resolution);
-    --left;
+std::optional<Resolution> RemoteWorkforce::take(const FinishedTask& finished,
+                                                const Subproblem& subproblem, Sent& sent) {
+  if (finished.how != FinishedTask::How::kDone) {
+    throw TaskFailure(finished.text, encode_subproblem(subproblem));
   }
-}
-
-void RemoteWorkforce::refuse(const FinishedTask& finished, std::size_t i,
-                             const std::string& fault) {
-  const std::string why = "its resolution does not hold: " + fault;
-  if (refused_[i] == finished.resolution) throw TaskFailure(why, sent_[i]);
-  refused_[i] = finished.resolution;
-  board_.reject(finished, why);
+  auto resolution = decode_resolution(finished.resolution, world_.scene(), subproblem);
+  const auto fault = resolution ? resolution_fault(world_, subproblem, *resolution)
+                                : std::optional(resolution.error());
+  if (!fault) {
+    port_->accept(finished.task);
+    return std::move(*resolution);
+  }
+  const std::string why = "its resolution does not hold: " + *fault;
+  // Two that say the same are no liars: the solvers are wrong.
+  if (sent.refused == finished.resolution) throw TaskFailure(why, encode_subproblem(subproblem));
+  sent.refused = finished.resolution;
+  port_->reject(finished, why);
+  return std::nullopt;
 }
 
 }  // namespace accord

@@ -1,17 +1,16 @@
-// A workforce of whoever is on the bus: hands subproblems to worker processes and waits for what
-// they return, through deaths and lost messages.
-//
-// Not thread safe: solve() runs the loop that owns the bus and the books.
+// A workforce of worker processes: puts subproblems on the task board and takes what comes back,
+// through deaths and lost messages.
+// Not thread safe.
 #pragma once
 
-#include <functional>
+#include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/geometry/collision_world.h"
-#include "common/transport/bus.h"
-#include "coordinator/dispatch/task_board.h"
+#include "coordinator/dispatch/task_port.h"
 #include "coordinator/workforce.h"
 
 namespace accord {
@@ -31,35 +30,25 @@ class TaskFailure : public std::runtime_error {
 
 class RemoteWorkforce final : public Workforce {
  public:
-  // One turn of the loop: moves time on, lets others work; returns what the time is then.
-  // For a real bus: waits for an event.
-  using Turn = std::function<TaskBoard::Time(Bus& bus, std::optional<TaskBoard::Time> deadline)>;
-
-  // For one request, in the world's scene, by one hierarchy. All must outlive this.
-  // Requires: the world's margin is kDetectionMargin.
-  RemoteWorkforce(Bus& bus, TaskBoard& board, RequestId request, const CollisionWorld& world,
-                  const std::vector<std::string>& solvers, Turn turn);
-  ~RemoteWorkforce() override;
+  // For one request, in the world's scene, by one hierarchy. The world must outlive this.
+  // Requires: its margin is kDetectionMargin.
+  RemoteWorkforce(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
+                  const std::vector<std::string>& solvers);
 
   // Throws TaskFailure.
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
                                 const std::atomic<bool>& stop) override;
 
  private:
-  void run_loop_once();
-  void take_results(const std::vector<Subproblem>& subproblems, TaskId first,
-                    std::vector<Resolution>& out, std::size_t& left);
-  void refuse(const FinishedTask& finished, std::size_t i, const std::string& fault);
+  struct Sent {
+    std::size_t place;  // of its subproblem
+    Bytes refused;      // what was returned of it last and does not hold
+  };
+  std::optional<Resolution> take(const FinishedTask& finished, const Subproblem& subproblem,
+                                 Sent& sent);
 
-  Bus& bus_;
-  TaskBoard& board_;
-  RequestId request_;
+  std::unique_ptr<TaskPort> port_;
   const CollisionWorld& world_;
-  Turn turn_;
-  TaskBoard::Time now_{0};
-  TaskId next_task_ = 1;
-  std::vector<Bytes> sent_;     // payloads of the present tasks
-  std::vector<Bytes> refused_;  // what was returned last of each and does not hold
 };
 
 }  // namespace accord

@@ -18,6 +18,7 @@ constexpr std::size_t kRefusals = 3;
 
 void TaskBoard::add(RequestWork work, std::vector<NewTask> tasks) {
   const RequestId id = work.request;
+  std::erase(idle_scenes_, work.scene);
   requests_[id].work = std::move(work);
   add(id, std::move(tasks));
 }
@@ -56,6 +57,13 @@ void TaskBoard::end(RequestId request) {
   const bool is_needed = std::ranges::any_of(
       requests_, [&](const auto& entry) { return entry.second.work.scene == scene; });
   if (is_needed) return;
+  idle_scenes_.push_back(scene);
+  if (idle_scenes_.size() <= settings_.idle_scenes) return;
+  forget(idle_scenes_.front());
+  idle_scenes_.pop_front();
+}
+
+void TaskBoard::forget(const SceneHash& scene) {
   for (auto& [id, worker] : workers_) {
     if (worker.delivery && worker.delivery->scene == scene) worker.delivery.reset();
     if (worker.scenes.erase(scene) == 0) continue;
@@ -67,13 +75,15 @@ void TaskBoard::end(RequestId request) {
 }
 
 std::optional<FinishedTask> TaskBoard::take_finished() {
-  if (taken_) tasks_.erase(*taken_);
-  taken_.reset();
   if (finished_.empty()) return std::nullopt;
   FinishedTask task = std::move(finished_.front());
   finished_.pop_front();
-  taken_ = task.task;
+  if (task.how != FinishedTask::How::kDone) tasks_.erase(task.task);
   return task;
+}
+
+void TaskBoard::accept(TaskId task) {
+  tasks_.erase(task);
 }
 
 void TaskBoard::finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
@@ -185,7 +195,6 @@ void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
   }
   give_up(finished.worker, why, false);
   if (!tasks_.contains(finished.task)) return;  // the request has ended
-  taken_.reset();
   ++unfinished_;
   tasks_.at(finished.task).refused_by.insert(finished.worker);
   take_back(finished.task, false, why);

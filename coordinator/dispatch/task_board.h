@@ -42,6 +42,7 @@ class TaskBoard {
     Time batch = std::chrono::milliseconds(2);        // of expected work that travels together
     Time retry = std::chrono::milliseconds(2);        // after a full link
     unsigned deaths = 3;                              // of workers, that quarantine a task
+    std::size_t idle_scenes = 4;  // that workers keep, with their roadmaps, for requests to come
   };
 
   struct Counters {
@@ -65,10 +66,13 @@ class TaskBoard {
   // Its tasks are dropped, and revoked from whoever works on them. Nothing happens where the
   // request is not there.
   void end(RequestId request);
-  // In the order in which they finished. The task taken before is done with.
+  // In the order in which they finished. Of one that is kDone, say whether its result holds:
+  // accept() or reject().
   std::optional<FinishedTask> take_finished();
-  // The result of the task taken last does not hold: whoever said so gets no more tasks, and the
-  // task is done again. Requires: it is kDone.
+  // The task is done with. Nothing happens where its request has ended.
+  void accept(TaskId task);
+  // The result does not hold: whoever said so gets no more tasks, and the task is done again.
+  // Requires: it is kDone, and was not accepted.
   void reject(const FinishedTask& finished, const std::string& why);
 
   // ---- The network ----
@@ -119,6 +123,7 @@ class TaskBoard {
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);
+  void forget(const SceneHash& scene);
   void assign();
   void assign(RequestId id, Request& request);
   using Worker = std::map<EndpointId, WorkerRecord>::iterator;
@@ -129,13 +134,13 @@ class TaskBoard {
 
   Settings settings_;
   Counters counters_;
-  std::map<TaskId, Task> tasks_;  // and finished ones that may still be rejected
+  std::map<TaskId, Task> tasks_;  // and finished ones that are not accepted yet
   std::size_t unfinished_ = 0;
   std::map<RequestId, Request> requests_;  // in the order in which they came
   std::map<EndpointId, WorkerRecord> workers_;
+  std::deque<SceneHash> idle_scenes_;  // of no request any more; the longest first
   std::deque<FinishedTask> finished_;
   double seconds_per_weight_ = 1e-3;  // as measured; decides who gets what, never what comes back
-  std::optional<TaskId> taken_;       // last
   bool may_assign_ = false;           // something has changed since it was tried
   std::optional<EndpointId> last_sender_;  // whose turn to be sent to was last
 };

@@ -15,6 +15,7 @@
 #include "common/io/wire/subproblem_codec.h"
 #include "common/planning/random.h"
 #include "common/transport/simulated_network.h"
+#include "coordinator/dispatch/direct_port.h"
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/simulation/lies.h"
 #include "tests/support/planned_paths.h"
@@ -110,10 +111,10 @@ class Cluster {
   }
 
   std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene) {
+    const auto one_turn = [this](Bus&, std::optional<Time> deadline) { return turn(deadline); };
     const CollisionWorld world(scene, kDetectionMargin);
-    RemoteWorkforce workforce(
-        *bus_, board_, 1, world, default_solver_names(),
-        [this](Bus&, std::optional<Time> deadline) { return turn(deadline); });
+    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, 1, one_turn), world,
+                              default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
 

@@ -182,6 +182,7 @@ class Cluster {
         ++rejected;
       } else {
         EXPECT_TRUE(done.insert(finished->task).second) << "finished twice";
+        board.accept(finished->task);
       }
     }
   }
@@ -392,6 +393,40 @@ TEST(TaskBoard, SendsTheSceneThatWasAskedForLastFromItsBeginning) {
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_EQ(sent[1].scene, hashes[1]);
   EXPECT_EQ(sent[1].offset, 0U);
+}
+
+TEST(TaskBoard, HasWorkersForgetAllButTheLastScenes) {
+  constexpr EndpointId kWorker{7};
+  TaskBoard::Settings settings;
+  settings.idle_scenes = 2;
+  TaskBoard board{settings};
+  Announcement announcement;
+  announcement.threads = 1;
+  board.on_event({kWorker, Message(announcement)}, Time(0));
+  std::vector<std::uint8_t> forgotten;
+  const auto plan_in = [&](RequestId request, std::uint8_t scene) {
+    RequestWork work;
+    work.request = request;
+    work.scene.bytes[0] = scene;
+    work.scene_bytes = std::make_shared<const Bytes>(100, scene);
+    const SceneHash hash = work.scene;
+    board.add(std::move(work), {});
+    board.on_event({kWorker, Message(SceneRequest{hash, 0})}, Time(0));
+    board.end(request);
+    while (const auto out = board.next_outgoing(Time(0))) {
+      const auto* command = std::get_if<Command>(&out->message);
+      if (command != nullptr && command->kind == Command::Kind::kForget) {
+        forgotten.push_back(command->scene.bytes[0]);
+      }
+      board.on_published(out->to, Published::kSent, Time(0));
+    }
+  };
+  plan_in(1, 10);
+  plan_in(2, 20);
+  plan_in(3, 10);  // again: the last that was needed now
+  EXPECT_EQ(forgotten, std::vector<std::uint8_t>{});
+  plan_in(4, 30);
+  EXPECT_EQ(forgotten, std::vector<std::uint8_t>{20});
 }
 
 // Kills, cut links, and messages that are lost, come twice or out of order, at random moments.

@@ -11,8 +11,8 @@
 #include "client/engine/local_workforce.h"
 #include "common/geometry/tolerances.h"
 #include "common/io/scene_file.h"
+#include "common/planning/method_names.h"
 #include "coordinator/arc.h"
-#include "worker/solver.h"
 
 namespace accord::testing {
 

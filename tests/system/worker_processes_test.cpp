@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "coordinator/dispatch/direct_port.h"
 #include "coordinator/dispatch/remote_workforce.h"
 #include "tests/contract/dds_world.h"
 #include "tests/support/child_process.h"
@@ -43,18 +44,18 @@ class WorkerProcesses : public ::testing::Test {
   std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene,
                                const std::function<void()>& at_turn = {}) {
     const auto began = Clock::now();
+    const auto turn = [&](Bus& bus, std::optional<TaskBoard::Time> deadline) {
+      if (Clock::now() - began > 60s) throw std::runtime_error("stuck");
+      if (at_turn) at_turn();
+      const TaskBoard::Time now = Clock::now() - began_;
+      auto wait = TaskBoard::Time(50ms);
+      if (deadline) wait = std::clamp(*deadline - now, TaskBoard::Time(0), wait);
+      bus.wait_for_event(wait);
+      return TaskBoard::Time(Clock::now() - began_);
+    };
     const CollisionWorld world(scene, kDetectionMargin);
-    RemoteWorkforce workforce(*bus_, board_, ++request_, world, default_solver_names(),
-                              [&](Bus& bus, std::optional<TaskBoard::Time> deadline) {
-                                if (Clock::now() - began > 60s) throw std::runtime_error("stuck");
-                                if (at_turn) at_turn();
-                                const TaskBoard::Time now = Clock::now() - began_;
-                                auto wait = TaskBoard::Time(50ms);
-                                if (deadline)
-                                  wait = std::clamp(*deadline - now, TaskBoard::Time(0), wait);
-                                bus.wait_for_event(wait);
-                                return TaskBoard::Time(Clock::now() - began_);
-                              });
+    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), world,
+                              default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
 

@@ -17,8 +17,11 @@ constexpr auto kLonely = std::chrono::seconds(4);
 
 }  // namespace
 
-WorkerLoop::WorkerLoop(Bus& bus, const TaskDesk::Settings& settings)
-    : bus_(bus), desk_(settings), threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {}
+WorkerLoop::WorkerLoop(Bus& bus, const TaskDesk::Settings& settings, WorkerTally& tally)
+    : bus_(bus),
+      tally_(tally),
+      desk_(settings),
+      threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {}
 
 void WorkerLoop::drain() {
   drain_ = true;
@@ -37,6 +40,7 @@ WorkerLoop::End WorkerLoop::run() {
     turn();
     if (desk_.coordinator() != coordinator) {
       coordinator = desk_.coordinator();
+      tally_.set_employed(coordinator.has_value());
       if (coordinator) spdlog::info("works for coordinator {}", to_string(*coordinator));
       lonely_since = coordinator ? std::nullopt : std::optional(now());
       if (!coordinator) {
@@ -56,10 +60,12 @@ WorkerLoop::End WorkerLoop::run() {
 }
 
 void WorkerLoop::turn() {
+  tally_.note_turn();
   const TaskDesk::Time time = now();
   while (const auto event = bus_.take()) desk_.on_event(*event, time);
   while (auto outcome = threads_.take()) {
     if (auto* ended = std::get_if<JobThreads::Ended>(&*outcome)) {
+      tally_.count(ended->result);
       desk_.on_ended(ended->job, std::move(ended->result));
     } else {
       const auto& scene = std::get<JobThreads::SceneOutcome>(*outcome);

@@ -9,13 +9,14 @@
 #include "worker/service/job_threads.h"
 #include "worker/service/scene_shelf.h"
 #include "worker/service/task_desk.h"
+#include "worker/service/worker_tally.h"
 
 namespace accord {
 
 class WorkerLoop {
  public:
-  // The bus must outlive this. Requires: settings.info.threads > 0.
-  WorkerLoop(Bus& bus, const TaskDesk::Settings& settings);
+  // Bus and tally must outlive this. Requires: settings.info.threads > 0.
+  WorkerLoop(Bus& bus, const TaskDesk::Settings& settings, WorkerTally& tally);
 
   enum class End {
     kDrained,    // drain() was called, and what was begun is finished or has taken too long to
@@ -32,6 +33,7 @@ class WorkerLoop {
   TaskDesk::Time now() const { return std::chrono::steady_clock::now() - began_; }
 
   Bus& bus_;
+  WorkerTally& tally_;
   TaskDesk desk_;
   SceneShelf shelf_;
   JobThreads threads_;

@@ -20,6 +20,9 @@ struct SceneHash {
   friend auto operator<=>(const SceneHash&, const SceneHash&) = default;
 };
 
+// Requests go by the same over theirs (request_codec.h).
+using RequestHash = SceneHash;
+
 // Thread safe. Throws std::runtime_error where libcrypto refuses to work, as it may for lack of
 // memory.
 SceneHash hash_of(BytesView canonical_bytes);

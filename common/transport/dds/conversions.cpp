@@ -4,19 +4,8 @@
 
 #include "common/transport/message_limits.h"
 
-namespace accord::dds {
+namespace accord::wire {
 namespace {
-
-wire::Key to_wire(const TaskKey& key) {
-  wire::Key out;
-  out.task(key.task);
-  out.epoch(key.epoch);
-  return out;
-}
-
-TaskKey from_wire(const wire::Key& key) {
-  return {key.task(), key.epoch()};
-}
 
 using eprosima::fastcdr::Cdr;
 
@@ -35,7 +24,7 @@ void skip_head(Cdr& in) {
 
 }  // namespace
 
-bool counts_are_sound(const wire::TaskBatch*, Cdr& in) {
+bool counts_are_sound(const TaskBatch*, Cdr& in) {
   skip_head(in);
   std::uint64_t request = 0;
   SceneHash scene;
@@ -45,24 +34,42 @@ bool counts_are_sound(const wire::TaskBatch*, Cdr& in) {
   return length_is_at_most(kBatchItems, in);
 }
 
-bool counts_are_sound(const wire::ResultBatch*, Cdr& in) {
+bool counts_are_sound(const ResultBatch*, Cdr& in) {
   skip_head(in);
   return length_is_at_most(kBatchItems, in);
 }
 
-bool counts_are_sound(const wire::Command*, Cdr& in) {
+bool counts_are_sound(const Command*, Cdr& in) {
   skip_head(in);
   std::uint8_t kind = 0;
   in >> kind;
   return length_is_at_most(kKeys, in);
 }
 
-bool counts_are_sound(const wire::Heartbeat*, Cdr& in) {
+bool counts_are_sound(const Heartbeat*, Cdr& in) {
   skip_head(in);
   std::uint32_t idle_threads = 0;
   in >> idle_threads;
   return length_is_at_most(kKeys, in);
 }
+
+}  // namespace accord::wire
+
+namespace accord::dds {
+namespace {
+
+wire::Key to_wire(const TaskKey& key) {
+  wire::Key out;
+  out.task(key.task);
+  out.epoch(key.epoch);
+  return out;
+}
+
+TaskKey from_wire(const wire::Key& key) {
+  return {key.task(), key.epoch()};
+}
+
+}  // namespace
 
 void to_wire(const TaskBatch& message, wire::TaskBatch& out) {
   const auto& [request, scene, hierarchy, tasks] = message;

@@ -1,51 +1,20 @@
-// Our messages and the generated types that carry them. For dds/'s own use.
+// The bus's messages and the generated types that carry them. For dds/'s own use.
 #pragma once
 
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
-#include <fastcdr/exceptions/Exception.h>
-
 #include "accordPubSubTypes.h"
+#include "common/transport/dds/support.h"
 #include "common/transport/messages.h"
 
+namespace accord::wire {
+
+bool counts_are_sound(const TaskBatch* kind, eprosima::fastcdr::Cdr& in);
+bool counts_are_sound(const ResultBatch* kind, eprosima::fastcdr::Cdr& in);
+bool counts_are_sound(const Command* kind, eprosima::fastcdr::Cdr& in);
+bool counts_are_sound(const Heartbeat* kind, eprosima::fastcdr::Cdr& in);
+
+}  // namespace accord::wire
+
 namespace accord::dds {
-
-// Whether what comes states no more elements than a message may have: generated code allocates for
-// as many as there are bytes, a hundred bytes and more each, before it looks at the first.
-bool counts_are_sound(const wire::TaskBatch* kind, eprosima::fastcdr::Cdr& in);
-bool counts_are_sound(const wire::ResultBatch* kind, eprosima::fastcdr::Cdr& in);
-bool counts_are_sound(const wire::Command* kind, eprosima::fastcdr::Cdr& in);
-bool counts_are_sound(const wire::Heartbeat* kind, eprosima::fastcdr::Cdr& in);
-inline bool counts_are_sound(const void*, eprosima::fastcdr::Cdr&) {
-  return true;
-}
-
-// Generated support that refuses such bytes.
-template <typename Type, typename Generated>
-class Support final : public Generated {
- public:
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* out) override {
-    // Generated code lets some exceptions through, such as of a bool that is neither 0 nor 1.
-    try {
-      return has_sound_counts(*payload) && Generated::deserialize(payload, out);
-    } catch (const eprosima::fastcdr::exception::Exception&) {
-      return false;
-    }
-  }
-
- private:
-  static bool has_sound_counts(eprosima::fastrtps::rtps::SerializedPayload_t& payload) {
-    eprosima::fastcdr::FastBuffer buffer(reinterpret_cast<char*>(payload.data), payload.length);
-    eprosima::fastcdr::Cdr in(buffer, eprosima::fastcdr::Cdr::DEFAULT_ENDIAN,
-                              eprosima::fastcdr::Cdr::DDS_CDR);
-    in.read_encapsulation();
-    return counts_are_sound(static_cast<const Type*>(nullptr), in);
-  }
-};
-
-// The generated type of a message, and what serialises it.
-template <typename Message>
-struct Wire;
 
 #define ACCORD_WIRE_TYPE(Name)                                        \
   template <>                                                         \

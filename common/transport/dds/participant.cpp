@@ -1,13 +1,11 @@
 #include "common/transport/dds/participant.h"
 
-#include <fastrtps/xmlparser/XMLProfileManager.h>
-
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/qos/PublisherQos.hpp>
 #include <fastdds/dds/subscriber/qos/SubscriberQos.hpp>
 #include <utility>
 
 #include "common/transport/dds/conversions.h"
+#include "common/transport/dds/domain.h"
 #include "common/transport/dds/qos.h"
 #include "common/transport/message_limits.h"
 
@@ -22,23 +20,10 @@ bool is_sent_by(Role role, std::size_t kind) {
   return outwards == (role == Role::kCoordinator);
 }
 
-// Fast DDS hands messages within one process from thread to thread; two endpoints in one process,
-// as tests have, then never see what the transport does. One for all participants of the process.
-void use_transports_within_the_process() {
-  eprosima::fastrtps::LibrarySettingsAttributes settings;
-  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-}
-
 template <std::size_t Kind>
 Topic* create_topic(DomainParticipant& participant, std::uint32_t protocol) {
   TypeSupport type(new typename Wire<std::variant_alternative_t<Kind, Message>>::Support());
-  // Cyclone DDS drops endpoints whose types Fast DDS describes.
-  type->auto_fill_type_information(false);
-  type->auto_fill_type_object(false);
-  if (participant.register_type(type) != ReturnCode_t::RETCODE_OK) return nullptr;
-  return participant.create_topic(topic_name(Kind, protocol), type.get_type_name(),
-                                  TOPIC_QOS_DEFAULT);
+  return add_topic(participant, topic_name(Kind, protocol), type);
 }
 
 template <std::size_t... Kinds>
@@ -52,15 +37,10 @@ std::array<Topic*, kMessageKinds> create_topics(DomainParticipant& participant,
 
 tl::expected<std::unique_ptr<Participant>, std::string> Participant::create(
     const DdsOptions& options, const PeerName& name, PeerBook& book, Signal& signal) {
-  use_transports_within_the_process();
   std::unique_ptr<Participant> out(new Participant(book, signal));
-  out->participant_ = DomainParticipantFactory::get_instance()->create_participant(
-      options.domain, participant_qos(options, to_user_data(name)), &out->on_participant_,
-      StatusMask::none());
-  if (out->participant_ == nullptr) {
-    return tl::unexpected("DDS could not join domain " + std::to_string(options.domain) +
-                          "; are the interfaces this machine's, and is there room in /dev/shm?");
-  }
+  const auto joined = join_domain(options, to_user_data(name), &out->on_participant_);
+  if (!joined) return tl::unexpected(joined.error());
+  out->participant_ = *joined;
   if (!out->add_topics(options.protocol)) return tl::unexpected(std::string("DDS refused a topic"));
   return out;
 }
@@ -71,10 +51,7 @@ bool Participant::add_topics(std::uint32_t protocol) {
 }
 
 Participant::~Participant() {
-  if (participant_ == nullptr) return;
-  participant_->set_listener(nullptr);
-  participant_->delete_contained_entities();
-  DomainParticipantFactory::get_instance()->delete_participant(participant_);
+  if (participant_ != nullptr) leave_domain(*participant_);
 }
 
 bool Participant::add_writers(Role sender, const std::string& partition, Writers& out) {

@@ -92,6 +92,12 @@ void bound(std::size_t depth, Qos& qos) {
   qos.data_sharing().off();
 }
 
+template <typename Qos>
+void keep_last(std::size_t depth, Qos& qos) {
+  qos.history().kind = KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = static_cast<std::int32_t>(depth);
+}
+
 }  // namespace
 
 DomainParticipantQos participant_qos(const DdsOptions& options, const std::string& user_data) {
@@ -132,6 +138,19 @@ DataReaderQos reader_qos(std::size_t depth) {
   qos.durability().kind = VOLATILE_DURABILITY_QOS;
   qos.reliable_reader_qos().times.initialAcknackDelay = duration(0ms);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = duration(0ms);
+  return qos;
+}
+
+DataWriterQos latest_writer_qos(std::size_t depth) {
+  DataWriterQos qos = writer_qos(depth);
+  keep_last(depth, qos);
+  return qos;
+}
+
+DataReaderQos latest_reader_qos(std::size_t depth, bool late) {
+  DataReaderQos qos = reader_qos(depth);
+  keep_last(depth, qos);
+  if (late) qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
   return qos;
 }
 

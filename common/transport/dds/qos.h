@@ -21,4 +21,10 @@ eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DdsOptions& o
 eprosima::fastdds::dds::DataWriterQos writer_qos(std::size_t depth);
 eprosima::fastdds::dds::DataReaderQos reader_qos(std::size_t depth);
 
+// Reliable, in order, the latest: a writer that has `depth` samples forgets the oldest, whoever has
+// not got it yet, and so does a reader. So nobody who is slow holds anybody up.
+eprosima::fastdds::dds::DataWriterQos latest_writer_qos(std::size_t depth);
+// `late`: the writers' latest from before it was there come, too.
+eprosima::fastdds::dds::DataReaderQos latest_reader_qos(std::size_t depth, bool late);
+
 }  // namespace accord::dds

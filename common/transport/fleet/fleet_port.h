@@ -19,6 +19,7 @@ struct FleetCounters {
   std::uint64_t sent = 0;
   std::uint64_t received = 0;
   std::uint64_t malformed = 0;  // received, beyond a limit or incomplete: dropped
+  std::uint64_t unsent = 0;     // published, beyond a limit or not taken by the network: dropped
 };
 
 // The service's end.

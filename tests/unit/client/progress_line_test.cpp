@@ -26,6 +26,20 @@ TEST(ProgressLine, SaysHowFarEachPhaseIs) {
   EXPECT_THAT(shown({Progress::Phase::kProof, 12, 24, 7, 5}), HasSubstr("proving"));
 }
 
+TEST(ProgressLine, SaysHowFarARequestToAServiceIs) {
+  RequestState state;
+  state.robots = 12;
+  state.ahead = 1;
+  EXPECT_EQ(in_words(state), "accepted, 1 request before it");
+  state.phase = RequestPhase::kConflicts;
+  state.conflicts_found = 24;
+  state.conflicts_resolved = 7;
+  state.rounds = 5;
+  EXPECT_EQ(in_words(state), "conflicts: 24 found, 7 resolutions, round 5");
+  state.phase = RequestPhase::kFinished;
+  EXPECT_EQ(in_words(state), "finished");
+}
+
 TEST(ProgressLine, StaysOnOneLineAndLeavesItEmpty) {
   std::ostringstream terminal;
   {

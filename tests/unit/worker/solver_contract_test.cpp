@@ -1,4 +1,5 @@
 #include "tests/unit/worker/solver_contract.h"
+#include "common/planning/method_names.h"
 
 #include <gtest/gtest.h>
 

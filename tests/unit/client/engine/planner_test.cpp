@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/io/plan_file.h"
+#include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
 #include "tests/support/scenes.h"
 
@@ -160,7 +161,7 @@ TEST(Planner, MakesTheSamePlanForAnyNumberOfWorkers) {
   std::set<std::string> texts;
   for (const unsigned workers : {1U, 3U}) {
     PlanOptions options;
-    options.workers = workers;
+    options.threads = workers;
     texts.insert(canonical_bytes(plan(scene, options)));
   }
   EXPECT_THAT(texts, SizeIs(1));
@@ -173,7 +174,7 @@ TEST(Planner, HandsOutTheSeedThatItWasGiven) {
 }
 
 TEST(Planner, UsesNoSolversButThoseItWasGiven) {
-  for (const std::string& solver : solver_names()) {
+  for (const std::string& solver : local_solver_names()) {
     PlanOptions options;
     options.solvers = {solver};
     const Plan found = plan(corridor(), options);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/collision_world.h"
+#include "common/io/wire/request_codec.h"
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
@@ -24,6 +25,12 @@ class HostilePayload : public testing::Test {
     scene_bytes_ = encode_scene(*scene_);
     subproblem_bytes_ = encode_subproblem(subproblem_);
     resolution_bytes_ = encode_resolution(resolution_);
+    PlanRequest request;
+    while (request.queries.size() < 3 || request.attachments.size() < 2 ||
+           request.solvers.empty()) {
+      request = random_request(random);
+    }
+    request_bytes_ = encode_request(request);
   }
 
   // Whether they decode. What does must be worth something: a world can be built of it, and it goes
@@ -53,6 +60,15 @@ class HostilePayload : public testing::Test {
     return decoded.has_value();
   }
 
+  static bool try_request(BytesView bytes) {
+    const auto decoded = decode_request(bytes);
+    EXPECT_TRUE(decoded || !decoded.error().empty());
+    if (!decoded) return false;
+    const auto again = decode_request(encode_request(*decoded));
+    EXPECT_TRUE(again && *again == *decoded);
+    return true;
+  }
+
   template <typename Try>
   static void flip_every_byte(Bytes bytes, const std::vector<int>& changes, const Try& attempt) {
     for (std::uint8_t& byte : bytes) {
@@ -71,6 +87,7 @@ class HostilePayload : public testing::Test {
   Bytes scene_bytes_;
   Bytes subproblem_bytes_;
   Bytes resolution_bytes_;
+  Bytes request_bytes_;
 };
 
 std::vector<int> single_bits_and_all() {
@@ -90,6 +107,10 @@ TEST_F(HostilePayload, CutShortAtAnyLengthIsRefused) {
   for (std::size_t size = 0; size < resolution_bytes_.size(); ++size) {
     try_resolution(BytesView(resolution_bytes_).first(size));
   }
+  for (std::size_t size = 0; size < request_bytes_.size(); ++size) {
+    try_request(BytesView(request_bytes_).first(size));
+  }
+  EXPECT_FALSE(try_request({}));
 }
 
 TEST_F(HostilePayload, WithAnyByteChangedIsRefusedOrSound) {
@@ -98,6 +119,7 @@ TEST_F(HostilePayload, WithAnyByteChangedIsRefusedOrSound) {
                   [&](BytesView b) { try_subproblem(b); });
   flip_every_byte(resolution_bytes_, single_bits_and_all(),
                   [&](BytesView b) { try_resolution(b); });
+  flip_every_byte(request_bytes_, single_bits_and_all(), [&](BytesView b) { try_request(b); });
 }
 
 TEST_F(HostilePayload, OfRandomBytesIsRefused) {
@@ -107,6 +129,7 @@ TEST_F(HostilePayload, OfRandomBytesIsRefused) {
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.next());
     EXPECT_FALSE(try_scene(bytes));
     EXPECT_FALSE(try_subproblem(bytes));
+    EXPECT_FALSE(try_request(bytes));
     try_resolution(bytes);
   }
 }
@@ -126,6 +149,7 @@ TEST_F(HostilePayload, WithPiecesOfOthersIsRefusedOrSound) {
     try_scene(bytes);
     try_subproblem(bytes);
     try_resolution(bytes);
+    try_request(bytes);
   }
 }
 
@@ -136,12 +160,13 @@ TEST_F(HostilePayload, ThatAnnouncesMoreThanItHoldsIsRefused) {
     EXPECT_FALSE(try_scene(length));
     EXPECT_FALSE(try_subproblem(length));
     EXPECT_FALSE(try_resolution(length));
+    EXPECT_FALSE(try_request(length));
   }
 }
 
 TEST_F(HostilePayload, OfMillionsOfEmptyPartsIsRefusedBeforeItIsParsed) {
-  // Obstacles, meshes, tasks and paths of no bytes: two each on the wire, a hundred and more
-  // parsed.
+  // Obstacles, meshes, tasks, paths and queries of no bytes: two each on the wire, a hundred and
+  // more parsed.
   for (const std::uint8_t field : {std::uint8_t{8}, std::uint8_t{6}, std::uint8_t{5}}) {
     Bytes bytes;
     for (int i = 0; i < 4'000'000; ++i) {
@@ -151,6 +176,7 @@ TEST_F(HostilePayload, OfMillionsOfEmptyPartsIsRefusedBeforeItIsParsed) {
     EXPECT_FALSE(try_scene(bytes));
     EXPECT_FALSE(try_subproblem(bytes));
     EXPECT_FALSE(try_resolution(bytes));
+    EXPECT_FALSE(try_request(bytes));
   }
 }
 

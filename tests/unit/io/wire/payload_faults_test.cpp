@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "accord.pb.h"
+#include "common/io/limits.h"
 #include "common/io/wire/payload_scan.h"
+#include "common/io/wire/request_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
 #include "tests/unit/io/wire/wire_samples.h"
@@ -189,6 +191,63 @@ TEST(PayloadFault, OfASubproblemNamesTheField) {
     Subproblem spoilt = sound;
     one.spoil(spoilt);
     const auto decoded = decode_subproblem(encode_subproblem(spoilt), *scene);
+    ASSERT_FALSE(decoded) << one.name;
+    EXPECT_TRUE(decoded.error().starts_with(one.fault)) << one.name << ": " << decoded.error();
+  }
+}
+
+TEST(PayloadFault, OfARequestNamesTheField) {
+  PlanRequest sound;
+  sound.id = "fleet-7:order.12";
+  sound.attachments = {{"arm6.urdf", "<robot/>"}, {"meshes/rack.stl", ""}};
+  sound.queries = {{"a", Configuration{1, 2}, {}}, {"b", {}, Configuration{3, 4}}};
+  sound.solvers = {"prioritized-query", "composite-prm"};
+  ASSERT_TRUE(decode_request(encode_request(sound)));
+  using Request = PlanRequest;
+  const std::vector<Case<Request>> cases{
+      {"no id", [](Request& r) { r.id.clear(); },
+       "id: expected 1 to 128 letters, digits, '-', '_', '.' and ':', not \"\""},
+      {"path", [](Request& r) { r.id = "../a"; }, "id: expected "},
+      {"long id", [](Request& r) { r.id = std::string(129, 'a'); }, "id: expected "},
+      {"scene", [](Request& r) { r.scene_text.resize(limits::kSceneBytes + 1); },
+       "scene_text: expected 0 to 4194304 bytes, not 4194305"},
+      {"scene name", [](Request& r) { r.scene_name = "a\n"; },
+       "scene_name: expected UTF-8 without control characters, not \"a\\x0A\""},
+      {"attachment", [](Request& r) { r.attachments[1].name.clear(); },
+       "attachments[1].name: expected a name of 1 to 200 bytes, not 0"},
+      {"attachments",
+       [](Request& r) {
+         r.attachments.resize(1001, {"a", ""});
+       },
+       "attachments: expected 0 to 1000, not 1001"},
+      {"large", [](Request& r) { r.attachments[0].content.resize(limits::kAttachmentBytes + 1); },
+       "attachments: expected 0 to 67108864 bytes together, not 67108865"},
+      {"robot", [](Request& r) { r.queries[1].robot.clear(); },
+       "queries[1].robot: expected a name of 1 to 200 bytes, not 0"},
+      {"no numbers", [](Request& r) { r.queries[0].start = Configuration{}; },
+       "queries[0].start: expected 1 to 200 numbers, not 0"},
+      {"nan", [](Request& r) { (*r.queries[1].goal)[1] = kNan; },
+       "queries[1].goal[1]: expected -1e+07 to 1e+07, not nan"},
+      {"queries",
+       [](Request& r) {
+         r.queries.resize(10'001, {"a", {}, {}});
+       },
+       "queries: expected 0 to 10000, not 10001"},
+      {"method", [](Request& r) { r.method.clear(); },
+       "method: expected a name of 1 to 64 bytes, not 0"},
+      {"solver", [](Request& r) { r.solvers[1] = "\xff"; }, "solvers[1]: expected UTF-8 "},
+      {"solvers", [](Request& r) { r.solvers.resize(17, "a"); },
+       "solvers: expected 0 to 16 names, not 17"},
+      {"deadline", [](Request& r) { r.deadline = -1; }, "deadline: expected 0 to 1e+07 s, not -1"},
+      {"never", [](Request& r) { r.deadline = kInfinity; },
+       "deadline: expected 0 to 1e+07 s, not inf"},
+      {"too large", [](Request& r) { r.attachments[0].content.resize(limits::kRequestBytes); },
+       "a request of "},
+  };
+  for (const auto& one : cases) {
+    Request spoilt = sound;
+    one.spoil(spoilt);
+    const auto decoded = decode_request(encode_request(spoilt));
     ASSERT_FALSE(decoded) << one.name;
     EXPECT_TRUE(decoded.error().starts_with(one.fault)) << one.name << ": " << decoded.error();
   }

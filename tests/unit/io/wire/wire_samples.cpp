@@ -149,4 +149,38 @@ Resolution random_resolution(RandomStream& random, const Subproblem& subproblem)
   return out;
 }
 
+PlanRequest random_request(RandomStream& random) {
+  const auto bytes = [&](std::size_t most) {
+    std::string out(random.below(most), '\0');
+    for (char& c : out) c = static_cast<char>(random.next());
+    return out;
+  };
+  const auto numbers = [&]() -> std::optional<Configuration> {
+    if (random.below(3) == 0) return std::nullopt;
+    Configuration q;
+    for (std::size_t k = 1 + random.below(7); k > 0; --k) {
+      q.push_back(random_number(random, -100, 100));
+    }
+    return q;
+  };
+  PlanRequest out;
+  out.id = "order:" + std::to_string(random.next());
+  out.scene_text = bytes(300);
+  out.scene_name = random.below(2) == 0 ? "" : "depot";
+  for (std::size_t i = random.below(4); i > 0; --i) {
+    out.attachments.push_back({"meshes/m" + std::to_string(i) + ".stl", bytes(200)});
+  }
+  for (std::size_t i = random.below(5); i > 0; --i) {
+    out.queries.push_back({"agv" + std::to_string(i), numbers(), numbers()});
+  }
+  out.method = random.below(2) == 0 ? "arc" : "cbs-mp";
+  out.seed = random.next();
+  for (std::size_t i = random.below(4); i > 0; --i) {
+    out.solvers.push_back("solver" + std::to_string(i));
+  }
+  out.deadline = random_number(random, 0, 1e7);
+  out.priority = static_cast<std::int32_t>(random.next());
+  return out;
+}
+
 }  // namespace accord::wire_samples

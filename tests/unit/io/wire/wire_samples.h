@@ -1,10 +1,11 @@
-// Scenes, subproblems and resolutions for the tests of the wire.
+// Scenes, subproblems, resolutions and requests for the tests of the wire.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "common/model/plan_request.h"
 #include "common/model/scene.h"
 #include "common/planning/random.h"
 #include "common/planning/subproblem.h"
@@ -23,5 +24,7 @@ double random_number(RandomStream& random, double least, double most);
 Trajectory random_path(RandomStream& random, std::size_t dof, double from, std::size_t waypoints);
 Subproblem random_subproblem(RandomStream& random, const Scene& scene);
 Resolution random_resolution(RandomStream& random, const Subproblem& subproblem);
+// Of a form that is sound; its scene is any bytes.
+PlanRequest random_request(RandomStream& random);
 
 }  // namespace accord::wire_samples

@@ -1,4 +1,4 @@
-#include "client/engine/watchdog.h"
+#include "coordinator/watchdog.h"
 
 #include <gtest/gtest.h>
 

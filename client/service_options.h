@@ -1,0 +1,32 @@
+// Flags that say where the service is, and the environment variables that stand for them: those
+// that coordinator and workers have, too (docs/operations.md).
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/runtime/settings.h"
+#include "common/transport/dds_options.h"
+
+namespace accord {
+
+class ServiceOptions {
+ public:
+  ServiceOptions();
+  ServiceOptions(const ServiceOptions&) = delete;
+  ServiceOptions& operator=(const ServiceOptions&) = delete;
+
+  // Must outlive the command.
+  void add_to(CLI::App& command);
+  // What was said, once the command line is read. Throws CLI::ValidationError.
+  const DdsOptions& resolve();
+
+ private:
+  DdsOptions dds_;
+  Settings table_;
+  std::map<std::string, std::vector<std::string>> flags_;
+};
+
+}  // namespace accord

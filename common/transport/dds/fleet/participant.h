@@ -1,0 +1,98 @@
+// A DDS participant on the public topics of a cluster.
+#pragma once
+
+#include <cstdint>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "common/transport/dds/domain.h"
+#include "common/transport/dds/fleet/conversions.h"
+#include "common/transport/dds/fleet/topics.h"
+#include "common/transport/dds/qos.h"
+#include "common/transport/dds_options.h"
+
+namespace accord::dds {
+
+// Not thread safe. Listeners are called from Fast DDS's threads, and outlive it.
+class FleetParticipant {
+ public:
+  // `refused` counts samples that made no sense, on the thread that takes. Requires: sound options.
+  static tl::expected<std::unique_ptr<FleetParticipant>, std::string> create(
+      const DdsOptions& options, const char* role,
+      eprosima::fastdds::dds::DomainParticipantListener* listener, std::uint64_t* refused);
+  ~FleetParticipant() {
+    if (participant_ != nullptr) leave_domain(*participant_);
+  }
+  FleetParticipant(const FleetParticipant&) = delete;
+  FleetParticipant& operator=(const FleetParticipant&) = delete;
+
+  // Of the topic of such values. Null where Fast DDS refuses.
+  template <typename Value>
+  eprosima::fastdds::dds::DataWriter* add_writer(
+      eprosima::fastdds::dds::DataWriterListener* listener) {
+    constexpr const FleetTopic& kTopic = kFleetTopic<Value>;
+    auto* topic = add_topic_of<Value>();
+    if (topic == nullptr) return nullptr;
+    return publisher_->create_datawriter(topic,
+                                         kTopic.kind == FleetTopic::Kind::kRequest
+                                             ? writer_qos(kTopic.writer_depth)
+                                             : latest_writer_qos(kTopic.writer_depth),
+                                         listener);
+  }
+  template <typename Value>
+  eprosima::fastdds::dds::DataReader* add_reader(
+      eprosima::fastdds::dds::DataReaderListener* listener) {
+    constexpr const FleetTopic& kTopic = kFleetTopic<Value>;
+    auto* topic = add_topic_of<Value>();
+    if (topic == nullptr) return nullptr;
+    return subscriber_->create_datareader(topic,
+                                          kTopic.kind == FleetTopic::Kind::kRequest
+                                              ? reader_qos(kTopic.reader_depth)
+                                              : latest_reader_qos(kTopic.reader_depth, kTopic.late),
+                                          listener);
+  }
+
+ private:
+  explicit FleetParticipant(std::uint64_t* refused) : refused_(refused) {}
+
+  bool join(const std::string& cluster);
+
+  template <typename Value>
+  eprosima::fastdds::dds::Topic* add_topic_of() {
+    return add_topic(
+        *participant_, fleet_topic_name(kFleetTopic<Value>),
+        eprosima::fastdds::dds::TypeSupport(new typename Wire<Value>::Support(refused_)));
+  }
+
+  std::uint64_t* refused_;
+  eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
+  eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
+  eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
+};
+
+// False: not taken, since who requests are for has not taken those before, or DDS is in trouble.
+template <typename Value>
+bool write(const Value& value, eprosima::fastdds::dds::DataWriter& writer) {
+  typename Wire<Value>::Type sample;
+  to_wire(value, sample);
+  return writer.write(&sample);  // bool: true is sent
+}
+
+// The next sample that can be read, if there is one.
+template <typename Value>
+std::optional<Value> read(eprosima::fastdds::dds::DataReader& reader) {
+  typename Wire<Value>::Type sample;
+  eprosima::fastdds::dds::SampleInfo info;
+  while (reader.take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+    if (info.valid_data) return from_wire(sample);
+  }
+  return std::nullopt;
+}
+
+}  // namespace accord::dds

@@ -1,0 +1,82 @@
+#include "common/transport/dds_settings.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace accord {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::array kTransports{
+    std::pair<std::string_view, DdsOptions::Transport>{"shm", DdsOptions::Transport::kSharedMemory},
+    std::pair<std::string_view, DdsOptions::Transport>{"udp", DdsOptions::Transport::kUdp},
+    std::pair<std::string_view, DdsOptions::Transport>{"both", DdsOptions::Transport::kBoth}};
+
+constexpr std::array kDiscoveries{
+    std::pair<std::string_view, DdsOptions::Discovery>{"multicast",
+                                                       DdsOptions::Discovery::kMulticast},
+    std::pair<std::string_view, DdsOptions::Discovery>{"peers", DdsOptions::Discovery::kPeers},
+    std::pair<std::string_view, DdsOptions::Discovery>{"server", DdsOptions::Discovery::kServer}};
+
+std::optional<DdsAddress> address_in(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  DdsAddress address{std::string(text.substr(0, colon))};
+  if (!is_ipv4(address.ip)) return std::nullopt;
+  if (colon == std::string_view::npos) return address;
+  const auto port = whole_number<std::uint16_t>(1, UINT16_MAX).parse(text.substr(colon + 1));
+  if (!port) return std::nullopt;
+  address.port = *port;
+  return address;
+}
+
+Notation<DdsAddress> address_with_port() {
+  return {"an IPv4 address, with or without a port, as in 10.0.0.7:11811", "IP[:PORT]", address_in,
+          [](const DdsAddress& address) {
+            return address.ip + (address.port > 0 ? ":" + std::to_string(address.port) : "");
+          },
+          true};
+}
+
+void add_network_settings(Settings& settings, DdsOptions& options) {
+  settings.add("dds.domain", "--domain", options.domain, whole_number(0U, kMostDomain),
+               "DDS domain");
+  settings.add("dds.cluster", "--cluster", options.cluster,
+               text("1 to 64 letters, digits, '-', '_' and '.'", "NAME", is_cluster_name),
+               "Only processes of one cluster work together");
+  settings.add("dds.transport", "--transport", options.transport,
+               one_of<DdsOptions::Transport>(kTransports), "How messages travel");
+  settings.add("dds.discovery", "--discovery", options.discovery,
+               one_of<DdsOptions::Discovery>(kDiscoveries), "How processes find each other");
+  settings.add_list("dds.addresses", "--address", options.addresses, address_with_port(),
+                    "Where to ask for peers, or discovery servers in the order of their ids");
+  settings
+      .add_list("dds.interfaces", "--interface", options.interfaces, ipv4_address(),
+                "Addresses of this machine to use")
+      .initial = "all";
+}
+
+void add_timing_settings(Settings& settings, DdsOptions& options) {
+  settings.add("dds.lease", "--dds-lease", options.lease, rounded_seconds(2ms, 1h),
+               "Silence until a process is given up");
+  settings.add("dds.announcement", "--dds-announcement", options.announcement,
+               rounded_seconds(1ms, 1h), "From one sign of life to the next");
+  settings.add("dds.segment_bytes", "--dds-segment-bytes", options.segment_bytes,
+               bytes(kLeastSegmentBytes, kMostSegmentBytes),
+               "Shared memory for what this process sends");
+}
+
+}  // namespace
+
+void add_dds_settings(Settings& settings, DdsOptions& options) {
+  add_network_settings(settings, options);
+  add_timing_settings(settings, options);
+  settings.add_check([&options]() -> std::optional<SettingFault> {
+    auto fault = options_fault(options);
+    if (!fault) return std::nullopt;
+    return SettingFault{"dds." + fault->option, std::move(fault->text)};
+  });
+}
+
+}  // namespace accord

@@ -1,0 +1,13 @@
+// What a person can say of DDS: the settings dds.*, in a file, a variable or a flag.
+#pragma once
+
+#include "common/runtime/settings.h"
+#include "common/transport/dds_options.h"
+
+namespace accord {
+
+// Adds a setting for each option, but for the protocol, which is not for people; and a check that
+// they go together. `options` must outlive the table.
+void add_dds_settings(Settings& settings, DdsOptions& options);
+
+}  // namespace accord

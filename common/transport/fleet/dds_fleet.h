@@ -1,0 +1,28 @@
+// The two ends of the public topics over DDS (Fast DDS 2.9). Topics, quality of service and the
+// order of events: docs/topics.md.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "common/transport/dds_options.h"
+#include "common/transport/fleet/fleet_port.h"
+
+namespace accord {
+
+// Both join a domain, or say in a sentence why they could not, which takes some milliseconds; the
+// other end is found mostly within 0.3 s. Each is a DDS participant of its own, which the bus of
+// the same cluster knows nothing of.
+
+// `wake` is called, from any thread and until the port is destroyed, when take() may give
+// something. It must not call the port, nor wait for a lock that is held while the port is called.
+tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
+    const DdsOptions& options, std::function<void()> wake);
+
+// Asks by itself, while take() and wait() are called, for plans that come with a gap.
+tl::expected<std::unique_ptr<FleetClientPort>, std::string> make_dds_fleet_client(
+    const DdsOptions& options);
+
+}  // namespace accord

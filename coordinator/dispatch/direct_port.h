@@ -1,0 +1,44 @@
+// A port of a thread that owns bus and board itself: it runs their loop while it waits. For tests,
+// simulations and measurements, which plan one request at a time.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "common/transport/bus.h"
+#include "coordinator/dispatch/task_board.h"
+#include "coordinator/dispatch/task_port.h"
+
+namespace accord {
+
+class DirectPort final : public TaskPort {
+ public:
+  // One turn of the loop: moves time on, lets others work; returns what the time is then.
+  // For a real bus: waits for an event.
+  using Turn = std::function<TaskBoard::Time(Bus& bus, std::optional<TaskBoard::Time> deadline)>;
+
+  // Bus and board must outlive this.
+  DirectPort(Bus& bus, TaskBoard& board, RequestId request, Turn turn);
+  ~DirectPort() override;
+
+  void open(RequestWork work) override;
+  TaskId next_id() override { return next_id_++; }
+  void add(std::vector<NewTask> tasks) override { board_.add(request_, std::move(tasks)); }
+  std::optional<FinishedTask> wait(const std::atomic<bool>& stop) override;
+  void accept(TaskId task) override { board_.accept(task); }
+  void reject(const FinishedTask& finished, const std::string& why) override {
+    board_.reject(finished, why);
+  }
+
+ private:
+  void run_loop_once();
+
+  Bus& bus_;
+  TaskBoard& board_;
+  RequestId request_;
+  Turn turn_;
+  TaskBoard::Time now_{0};
+  TaskId next_id_;
+};
+
+}  // namespace accord

@@ -1,0 +1,32 @@
+// One request's way to the task board, wherever that is: at hand (DirectPort), or owned by the
+// service's loop on another thread.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coordinator/dispatch/task.h"
+
+namespace accord {
+
+// Not thread safe: one thread, that of the request, calls. Destruction ends the request on the
+// board: its tasks are dropped.
+class TaskPort {
+ public:
+  virtual ~TaskPort() = default;
+
+  // What the tasks have in common; `work.request` is the port's own business. Call once, first.
+  virtual void open(RequestWork work) = 0;
+  // A name for a task that no other task has, of this request or another.
+  virtual TaskId next_id() = 0;
+  virtual void add(std::vector<NewTask> tasks) = 0;
+  // The next task that is finished; waits for it. nullopt: `stop` became true.
+  virtual std::optional<FinishedTask> wait(const std::atomic<bool>& stop) = 0;
+  // As TaskBoard's.
+  virtual void accept(TaskId task) = 0;
+  virtual void reject(const FinishedTask& finished, const std::string& why) = 0;
+};
+
+}  // namespace accord

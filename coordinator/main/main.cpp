@@ -1,0 +1,133 @@
+// accord-coordinator: takes requests for plans, owns paths and conflicts, and gives subproblems to
+// workers on the same DDS domain.
+#include <chrono>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+
+#include <spdlog/spdlog.h>
+
+#include "common/planning/method_names.h"
+#include "common/runtime/command_line.h"
+#include "common/runtime/ending_signals.h"
+#include "common/runtime/host_name.h"
+#include "common/runtime/log.h"
+#include "common/runtime/metrics.h"
+#include "common/runtime/metrics_server.h"
+#include "common/transport/dds_bus.h"
+#include "common/transport/fleet/dds_fleet.h"
+#include "coordinator/journal/memory_journal.h"
+#include "coordinator/journal/sqlite_journal.h"
+#include "coordinator/main/coordinator_metrics.h"
+#include "coordinator/main/coordinator_settings.h"
+#include "coordinator/service/coordinator_loop.h"
+
+namespace accord {
+namespace {
+
+// The loop turns ten times a second, however much is being planned: that has its own threads.
+constexpr auto kHangs = std::chrono::seconds(10);
+
+tl::expected<std::unique_ptr<Journal>, std::string> open_journal(
+    const CoordinatorSettings& settings) {
+  if (settings.journal.empty()) {
+    spdlog::warn("no journal: what is accepted is lost when this process ends");
+    return std::make_unique<MemoryJournal>();
+  }
+  auto journal = SqliteJournal::open(settings.journal);
+  if (!journal) return tl::unexpected(std::move(journal.error()));
+  return std::move(*journal);
+}
+
+CoordinatorLoop::Settings loop_settings(const CoordinatorSettings& settings) {
+  CoordinatorLoop::Settings out;
+  out.version = ACCORD_VERSION;
+  out.host = host_name();
+  out.board.lease = settings.lease;
+  out.board.deaths = settings.deaths;
+  out.desk.queued = settings.limits.queued;
+  out.desk.planning = settings.limits.planning;
+  out.desk.waypoints = settings.limits.waypoints;
+  out.desk.threads = settings.threads;
+  out.desk.keep = std::chrono::duration<double>(settings.keep).count();
+  out.desk.outlives = !settings.journal.empty();
+  out.planning.planning = settings.limits.planning;
+  out.planning.threads = settings.threads;
+  out.planning.scenes = settings.scenes;
+  out.planning.quarantine = settings.quarantine_folder();
+  out.planning.limits.bytes = settings.limits.request_bytes;
+  out.planning.limits.robots = settings.limits.robots;
+  out.planning.limits.methods = method_names();
+  out.planning.limits.solvers = local_solver_names();
+  return out;
+}
+
+ProcessExit fail(const std::string& why) {
+  spdlog::error("{}", why);
+  return ProcessExit::kUnavailable;
+}
+
+// nullptr where none is wanted.
+tl::expected<std::unique_ptr<MetricsServer>, std::string> serve_metrics(
+    const MetricsOptions& options, Metrics& metrics, const ServiceTally& tally) {
+  if (options.port == 0) return nullptr;
+  return MetricsServer::start(metrics, options.address, options.port,
+                              {[&tally] { return tally.since_last_turn() < kHangs; },
+                               [&tally] { return tally.is_ready(); }});
+}
+
+ProcessExit serve(const CoordinatorSettings& settings) {
+  EndingSignals signals;
+  // A file that may not grow is a full disk, which the journal reports; it must not kill.
+  std::signal(SIGXFSZ, SIG_IGN);
+  ServiceTally tally;
+  Metrics metrics;
+  add_coordinator_metrics(metrics, tally);
+  const auto server = serve_metrics(settings.metrics, metrics, tally);
+  if (!server) return fail(server.error());
+  const auto journal = open_journal(settings);
+  if (!journal) return fail(journal.error());
+  const auto bus = make_dds_bus(Role::kCoordinator, settings.dds);
+  if (!bus) return fail(bus.error());
+  const auto fleet = make_dds_fleet_service(settings.dds, [&bus] { (*bus)->wake(); });
+  if (!fleet) return fail(fleet.error());
+  spdlog::info("coordinator {} in domain {}, cluster {}", to_string((*bus)->self()),
+               settings.dds.domain, settings.dds.cluster);
+  CoordinatorLoop loop(loop_settings(settings), **bus, **fleet, **journal, tally);
+  signals.set([&loop] { loop.drain(); });
+  const auto fault = loop.run();
+  signals.set(nullptr);
+  if (fault) return fail(*fault);
+  spdlog::info("ended");
+  return ProcessExit::kEnded;
+}
+
+ProcessExit run(int argc, const char* const* argv) {
+  CoordinatorSettings settings;
+  const Start start =
+      start_up({"accord-coordinator", "Plans for fleets of robots, with the help of workers.",
+                ACCORD_VERSION},
+               coordinator_table(settings), argc, argv);
+  if (start.end) return *start.end;
+  start_log("accord-coordinator", settings.log);
+  for (const std::string& warning : start.warnings) spdlog::warn("{}", warning);
+  return serve(settings);
+}
+
+}  // namespace
+}  // namespace accord
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(accord::run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::cerr << "accord-coordinator: out of memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "accord-coordinator: internal error: " << error.what()
+              << "\nThis is a bug in accord. Please report it.\n";
+  }
+  return static_cast<int>(accord::ProcessExit::kBug);
+}

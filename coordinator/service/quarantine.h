@@ -1,0 +1,11 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "coordinator/dispatch/remote_workforce.h"
+namespace accord {
+inline std::string kept_where(const std::filesystem::path&, const std::string&,
+                              const TaskFailure&) {
+  return "";
+}
+}  // namespace accord
