@@ -1,5 +1,7 @@
 #include "coordinator/planner.h"
 
+#include <spdlog/spdlog.h>
+
 #include <chrono>
 #include <stdexcept>
 
@@ -51,7 +53,7 @@ void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
   compute_costs(plan);
 }
 
-void fill_statistics(const PlanningStatistics& from, std::uint64_t distance_queries, Plan& plan) {
+void fill_statistics(const PlanningStatistics& from, Plan& plan) {
   const auto add = [&](std::string name, auto value) {
     plan.statistics.emplace_back(std::move(name), static_cast<double>(value));
   };
@@ -68,7 +70,6 @@ void fill_statistics(const PlanningStatistics& from, std::uint64_t distance_quer
   add("samples", from.effort.samples);
   add("motion_checks", from.effort.motion_checks);
   add("pair_checks", from.pair_checks);
-  add("distance_queries", distance_queries);
   add("lower_bound", from.lower_bound);
   add("initial_paths_time", from.initial_time);
   add("conflicts_time", from.conflict_time);
@@ -89,7 +90,8 @@ Plan plan_with(const WorkforceFactory& make_workforce, const std::shared_ptr<con
   const Watchdog watchdog(options.timeout, cancel);
   const CollisionWorld planning(scene, kPlanningMargin);
   const CollisionWorld detection(scene, kDetectionMargin);
-  const std::unique_ptr<Workforce> workforce = make_workforce(planning, detection, hierarchy(options));
+  const std::unique_ptr<Workforce> workforce =
+      make_workforce(planning, detection, hierarchy(options));
   const ProgressCallback report = thinned(progress);
   std::unique_ptr<Method> method;
   if (options.method == kArcMethod) {
@@ -112,8 +114,9 @@ Plan plan_with(const WorkforceFactory& make_workforce, const std::shared_ptr<con
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
-  fill_statistics(method->statistics(), planning.distance_queries() + detection.distance_queries(),
-                  plan);
+  fill_statistics(method->statistics(), plan);
+  // Not of the plan: worker processes, and what is remembered in each, would change it.
+  spdlog::debug("{} distance queries", planning.distance_queries() + detection.distance_queries());
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});

@@ -55,6 +55,21 @@ class WorkersBehindTheWire final : public Workers {
   }
 };
 
+// Solves every subproblem twice: as a worker that has solved those before, and as one that has not.
+class WorkersWithAndWithoutMemory final : public Workers {
+ public:
+  using Workers::Workers;
+
+ private:
+  Resolution one(const Subproblem& subproblem, const std::atomic<bool>& stop) override {
+    const CollisionWorld world(scene_, kPlanningMargin);
+    const Resolution fresh = Worker(world, default_solver_names()).solve(subproblem, stop);
+    Resolution resolution = worker_.solve(subproblem, stop);
+    EXPECT_EQ(encode_resolution(resolution), encode_resolution(fresh));
+    return resolution;
+  }
+};
+
 class PlanningOverTheWire : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PlanningOverTheWire, MakesTheSamePlanToTheBit) {
@@ -68,6 +83,16 @@ TEST_P(PlanningOverTheWire, MakesTheSamePlanToTheBit) {
   EXPECT_EQ(testing::planned_paths(scene, here), testing::planned_paths(scene, there));
   RecordProperty("scene_bytes", static_cast<int>(bytes.size()));
   RecordProperty("largest_subproblem_bytes", static_cast<int>(there.largest));
+}
+
+// Efforts too: a plan's statistics must not tell who has made it.
+TEST(PlanningByOthers, DoesNotDependOnWhatTheyRemember) {
+  for (const char* name : {"adaptive-mobile", "low-manipulator-04", "mixed-cell", "drones-12",
+                           "fleet-0050", "peer-hallways-08", "depot-map"}) {
+    const auto scene = testing::example_scene(name);
+    WorkersWithAndWithoutMemory workers(scene);
+    EXPECT_FALSE(testing::planned_paths(scene, workers).empty()) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PlanningOverTheWire,
