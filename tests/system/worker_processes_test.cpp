@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "coordinator/dispatch/direct_port.h"
-#include "coordinator/dispatch/remote_workforce.h"
+#include "coordinator/dispatch/remote_crew.h"
 #include "tests/contract/dds_world.h"
 #include "tests/support/child_process.h"
 #include "tests/support/planned_paths.h"
@@ -53,8 +53,9 @@ class WorkerProcesses : public ::testing::Test {
       bus.wait_for_event(wait);
       return TaskBoard::Time(Clock::now() - began_);
     };
-    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), scene,
-                              default_solver_names());
+    Foreman workforce(std::make_unique<RemoteCrew>(
+                          std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), scene),
+                      default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
 
