@@ -37,8 +37,7 @@ void add_plan_question(CLI::App& command, PlanQuestion& question) {
             question.solvers = solvers_in(list, local_solver_names());
           },
           fmt::format("ARC's solvers for conflicts, tried in this order, of {} (default: {})",
-                      fmt::join(local_solver_names(), ","),
-                      fmt::join(default_solver_names(), ",")))
+                      fmt::join(local_solver_names(), ","), fmt::join(default_solver_names(), ",")))
       ->type_name("NAME,...");
   command.add_flag("--json", question.json, "Print the plan instead of a summary");
   command.add_flag("-q,--quiet", question.quiet, "Print neither progress nor summary");

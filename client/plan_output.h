@@ -1,5 +1,5 @@
-// What `accord plan` and `accord submit` have in common: what is asked, and how the answer is handed
-// out.
+// What `accord plan` and `accord submit` have in common: what is asked, and how the answer is
+// handed out.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -69,8 +69,7 @@ void ProgressLine::show(const RequestState& state) {
 
 void ProgressLine::show(const std::string& words) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  terminal_ << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words)
-            << std::flush;
+  terminal_ << kClearLine << fmt::format("{:6.1f} s  {}", elapsed.count(), words) << std::flush;
   shown_ = true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/geometry/query_counter.h"
 #include "coordinator/stopwatch.h"
 
 namespace accord {
@@ -18,6 +19,13 @@ Method::Method(const CollisionWorld& planning, const CollisionWorld& detection, 
       progress_(std::move(progress)) {}
 
 Outcome Method::run() {
+  const SeparateCost cost;
+  const Outcome outcome = plan();
+  statistics_.distance_queries = cost.so_far();
+  return outcome;
+}
+
+Outcome Method::plan() {
   if (auto failed = plan_initial_paths()) return *failed;
   const Stopwatch watch;
   ConflictBoard board(detection_, schedule_);

@@ -29,10 +29,11 @@ struct PlanningStatistics {
   std::uint64_t robots_taken_in = 0;
   std::uint64_t pair_checks = 0;
   std::map<std::string, std::uint64_t> solved_by;  // solver name -> resolutions committed
-  Effort effort;
-  double initial_time = 0;   // s, wall clock
-  double conflict_time = 0;  // s
-  double lower_bound = 0;    // s: sum of the robots' own paths' durations
+  Effort effort;                                   // of all attempts
+  std::uint64_t distance_queries = 0;              // of the coordinator's own
+  double initial_time = 0;                         // s, wall clock
+  double conflict_time = 0;                        // s
+  double lower_bound = 0;                          // s: sum of the robots' own paths' durations
 };
 
 // Each robot's own path first, as if it were alone (Alg. 1, lines 2 to 5); how the conflicts
@@ -65,6 +66,7 @@ class Method {
  private:
   // Makes the schedule free of conflicts. The board has looked at nothing yet.
   virtual Outcome resolve(ConflictBoard& board) = 0;
+  Outcome plan();
   std::optional<Outcome> plan_initial_paths();
 
   const CollisionWorld& detection_;

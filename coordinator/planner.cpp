@@ -10,6 +10,7 @@
 #include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
 #include "coordinator/arc.h"
+#include "coordinator/foreman.h"
 #include "coordinator/watchdog.h"
 #include "coordinator/whole_problem.h"
 
@@ -70,6 +71,7 @@ void fill_statistics(const PlanningStatistics& from, Plan& plan) {
   add("samples", from.effort.samples);
   add("motion_checks", from.effort.motion_checks);
   add("pair_checks", from.pair_checks);
+  add("distance_queries", from.effort.distance_queries + from.distance_queries);
   add("lower_bound", from.lower_bound);
   add("initial_paths_time", from.initial_time);
   add("conflicts_time", from.conflict_time);
@@ -83,22 +85,21 @@ std::vector<std::string> hierarchy(const PlanOptions& options) {
 
 }  // namespace
 
-Plan plan_with(const WorkforceFactory& make_workforce, const std::shared_ptr<const Scene>& scene,
+Plan plan_with(const CrewFactory& make_crew, const std::shared_ptr<const Scene>& scene,
                const PlanOptions& options, const ProgressCallback& progress,
                const std::atomic<bool>* cancel) {
   const auto begin = Clock::now();
   const Watchdog watchdog(options.timeout, cancel);
   const CollisionWorld planning(scene, kPlanningMargin);
   const CollisionWorld detection(scene, kDetectionMargin);
-  const std::unique_ptr<Workforce> workforce =
-      make_workforce(planning, detection, hierarchy(options));
+  Foreman workforce(make_crew(planning, detection), hierarchy(options));
   const ProgressCallback report = thinned(progress);
   std::unique_ptr<Method> method;
   if (options.method == kArcMethod) {
-    method = std::make_unique<Arc>(planning, detection, options.seed, *workforce, watchdog.stop(),
+    method = std::make_unique<Arc>(planning, detection, options.seed, workforce, watchdog.stop(),
                                    report);
   } else {
-    method = std::make_unique<WholeProblem>(planning, detection, options.seed, *workforce,
+    method = std::make_unique<WholeProblem>(planning, detection, options.seed, workforce,
                                             watchdog.stop(), report);
   }
 
@@ -115,8 +116,6 @@ Plan plan_with(const WorkforceFactory& make_workforce, const std::shared_ptr<con
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;
   }
   fill_statistics(method->statistics(), plan);
-  // Not of the plan: worker processes, and what is remembered in each, would change it.
-  spdlog::debug("{} distance queries", planning.distance_queries() + detection.distance_queries());
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
     if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});

@@ -1,4 +1,4 @@
-// Plans a scene, from the scene to a proven plan, with whatever workforce it is given: what
+// Plans a scene, from the scene to a proven plan, with whatever crew it is given: what
 // `accord plan` and the service have in common.
 #pragma once
 
@@ -13,8 +13,8 @@
 #include "common/geometry/collision_world.h"
 #include "common/model/plan.h"
 #include "common/model/scene.h"
+#include "coordinator/crew.h"
 #include "coordinator/progress.h"
-#include "coordinator/workforce.h"
 
 namespace accord {
 
@@ -27,19 +27,18 @@ struct PlanOptions {
                                      // Only ARC has a hierarchy
 };
 
-// Makes who solves subproblems, by these solvers in this order. The worlds are of the scene, with
-// the margins that planning and looking for conflicts keep; they outlive the workforce.
-using WorkforceFactory = std::function<std::unique_ptr<Workforce>(
-    const CollisionWorld& planning, const CollisionWorld& detection,
-    const std::vector<std::string>& solvers)>;
+// Makes who carries out the work. The worlds are of the scene, with the margins that planning and
+// looking for conflicts keep; they outlive the crew.
+using CrewFactory = std::function<std::unique_ptr<Crew>(const CollisionWorld& planning,
+                                                        const CollisionWorld& detection)>;
 
 // `progress` is called from the thread that called plan_with(), at most every 50 ms and at each
 // change of phase. Returns a plan with status solved that the verifier has proved, or one whose
 // message says why there is none (infeasible, timeout, cancelled when `cancel` becomes true). A
 // plan that the verifier refutes is a bug of the planner: std::logic_error that carries the
-// verifier's words. What the workforce throws comes through. Thread safe. Requires: options hold
+// verifier's words. What the crew fails of comes through. Thread safe. Requires: options hold
 // names of method_names() and local_solver_names() only; the scene passed io's checks.
-Plan plan_with(const WorkforceFactory& workforce, const std::shared_ptr<const Scene>& scene,
+Plan plan_with(const CrewFactory& crew, const std::shared_ptr<const Scene>& scene,
                const PlanOptions& options, const ProgressCallback& progress = {},
                const std::atomic<bool>* cancel = nullptr);
 

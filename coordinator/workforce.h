@@ -1,4 +1,4 @@
-// Whoever solves subproblems for the coordinator: threads of this process, or worker processes.
+// Whoever solves subproblems for a method of planning: the Foreman, or a test's script.
 #pragma once
 
 #include <atomic>

@@ -19,7 +19,6 @@ class CbsMp final : public Solver {
   std::string_view name() const override { return kName; }
 
  private:
-  bool takes(const Subproblem& subproblem) const override { return subproblem.is_last(); }
   Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 };

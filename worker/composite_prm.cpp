@@ -130,7 +130,6 @@ class CompositeRoadmap {
 
 Resolution CompositePrm::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                   const std::atomic<bool>& stop) const {
-  if (subproblem.is_crowd()) return {};  // too many for one space
   Resolution resolution = CompositeRoadmap(workspace, subproblem).solve(workspace.world(), stop);
   resolution.solver = kName;
   return resolution;

@@ -193,7 +193,6 @@ class RrtConnect {
 
 Resolution CompositeRrtConnect::do_solve(const Workspace& workspace, const Subproblem& subproblem,
                                          const std::atomic<bool>& stop) const {
-  if (subproblem.is_crowd()) return {};  // too many for one space
   Resolution resolution = RrtConnect(workspace, subproblem).solve(stop);
   resolution.solver = kName;
   return resolution;

@@ -17,7 +17,6 @@ class LockstepQuery final : public Solver {
   std::string_view name() const override { return kName; }
 
  private:
-  bool takes(const Subproblem& subproblem) const override { return subproblem.lockstep; }
   Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                       const std::atomic<bool>& stop) const override;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/query_counter.h"
 #include "common/planning/region.h"
 #include "worker/free_samples.h"
 
@@ -66,6 +67,7 @@ RobotRoadmap::RobotRoadmap(const CollisionWorld& world, RobotId robot)
 const SharedRoadmap& RobotRoadmap::level(std::size_t index) const {
   const std::lock_guard lock(mutex_);
   if (!levels_[index]) {
+    const SeparateCost cost;
     const std::size_t samples = samples_of_level(*world_.scene().robot(robot_).model, index);
     levels_[index] =
         std::make_unique<SharedRoadmap>(world_, robot_, free_samples(world_, robot_, samples));
@@ -76,6 +78,7 @@ const SharedRoadmap& RobotRoadmap::level(std::size_t index) const {
 const SharedRoadmap& RobotRoadmap::dense() const {
   const std::lock_guard lock(mutex_);
   if (!dense_) {
+    const SeparateCost cost;
     std::vector<Configuration> nodes = free_samples(world_, robot_, dense_samples(world_, robot_));
     const auto is_disc = [this](RobotId id) {
       return world_.radius(id) && world_.scene().robot(id).model->dof() == 2;

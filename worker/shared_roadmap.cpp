@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
+#include "common/geometry/query_counter.h"
+
 namespace accord {
 namespace {
 
@@ -179,6 +181,7 @@ bool SharedRoadmap::is_free(Node from, const RoadmapEdge& edge) const {
   const std::lock_guard lock(provers_[edge.id % provers_.size()]);
   proof = proofs_[edge.id].load(std::memory_order_relaxed);
   if (proof == kUnknown) {
+    const SeparateCost cost;
     // Always asked in the same direction, so that all threads and processes agree.
     const Node a = std::min(from, edge.to), b = std::max(from, edge.to);
     proof = motion_is_free(nodes_[a], nodes_[b]) ? kFree : kBlocked;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/planning/levels.h"
 #include "worker/cbs_mp.h"
 #include "worker/composite_prm.h"
 #include "worker/composite_rrt_connect.h"
@@ -15,6 +16,10 @@ Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproble
                          const std::atomic<bool>& stop) const {
   if (subproblem.tasks.empty() || !takes(subproblem) || stop) return {};
   return do_solve(workspace, subproblem, stop);
+}
+
+bool Solver::takes(const Subproblem& subproblem) const {
+  return is_meant_for(name(), subproblem);
 }
 
 std::unique_ptr<Solver> make_solver(std::string_view name) {

@@ -28,8 +28,8 @@ class Solver {
   virtual std::string_view name() const = 0;
 
  private:
-  // Whether it is meant for such subproblems.
-  virtual bool takes(const Subproblem& subproblem) const { return !subproblem.lockstep; }
+  // As levels.h says of solvers by their names.
+  virtual bool takes(const Subproblem& subproblem) const;
   virtual Resolution do_solve(const Workspace& workspace, const Subproblem& subproblem,
                               const std::atomic<bool>& stop) const = 0;
 };

@@ -9,23 +9,23 @@
 
 #include "common/geometry/collision_world.h"
 #include "common/planning/subproblem.h"
-#include "worker/solver.h"
 #include "worker/workspace.h"
 
 namespace accord {
 
 class Worker {
  public:
-  // `solvers`: the hierarchy, in order. Requires: names of local_solver_names().
-  Worker(const CollisionWorld& world, const std::vector<std::string>& solvers)
-      : workspace_(world), hierarchy_(solvers) {}
+  // The world must outlive this.
+  explicit Worker(const CollisionWorld& world) : workspace_(world) {}
 
-  // A robot on its own is given its path; a team goes through the hierarchy.
-  Resolution solve(const Subproblem& subproblem, const std::atomic<bool>& stop) const;
+  // A robot on its own is given its path; a team goes through the solvers, in order. What comes
+  // back depends on the two alone, unless `stop` becomes true, which ends the attempt unsolved
+  // soon. Requires: names that make_solver() knows.
+  Resolution solve(const Subproblem& subproblem, const std::vector<std::string>& solvers,
+                   const std::atomic<bool>& stop) const;
 
  private:
   Workspace workspace_;
-  SolverHierarchy hierarchy_;
 };
 
 }  // namespace accord

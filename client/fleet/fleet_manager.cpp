@@ -55,7 +55,7 @@ void FleetManager::ask(Waiting& waiting, Clock::time_point now) {
   const std::string& id = waiting.request.id;
   const bool is_sent = waiting.is_cancelled && waiting.is_accepted ? port_.send(CancelRequest{id})
                        : waiting.is_accepted                       ? port_.send(ResendRequest{id})
-                                             : port_.send(waiting.request);
+                                                                   : port_.send(waiting.request);
   waiting.ask_at = now + (is_sent ? waiting.again : Clock::duration(kRetry));
   if (is_sent) waiting.again = std::min(2 * waiting.again, settings_.at_most);
 }

@@ -37,13 +37,14 @@ class FleetManager {
   using Clock = std::chrono::steady_clock;
 
   struct Settings {
-    Clock::duration patience = std::chrono::seconds(10);       // until a service has accepted
-    Clock::duration again = std::chrono::milliseconds(500);    // asked again; longer each time, up
+    Clock::duration patience = std::chrono::seconds(10);        // until a service has accepted
+    Clock::duration again = std::chrono::milliseconds(500);     // asked again; longer each time, up
     Clock::duration at_most = std::chrono::milliseconds(4000);  // to this
   };
 
   // The port must outlive this.
-  FleetManager(FleetClientPort& port, const Settings& settings) : port_(port), settings_(settings) {}
+  FleetManager(FleetClientPort& port, const Settings& settings)
+      : port_(port), settings_(settings) {}
 
   // The request is on its way; next() tells what becomes of it. Requires: no other request of this
   // id is.

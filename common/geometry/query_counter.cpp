@@ -3,6 +3,11 @@
 #include <mutex>
 
 namespace accord {
+
+namespace internal {
+constinit thread_local std::uint64_t thread_count = 0;
+}
+
 namespace {
 
 // Hands out the lowest free numbers; threads give theirs back when they end.

@@ -11,16 +11,16 @@ namespace accord {
 // Why a request is not accepted.
 enum class Rejection : std::uint16_t {
   kNone = 0,
-  kBadId = 1,          // the id: empty, too long, or with other characters than it may have
-  kIdInUse = 2,        // another request has this id
-  kBadScene = 3,       // the scene is wrong, or a file that it names is not attached
-  kUnknownScene = 4,   // no scene of that name is in store
-  kBadQuery = 5,       // an unknown robot, or a start or goal that it cannot have
-  kBadOption = 6,      // method, solvers, deadline
-  kTooLarge = 7,       // beyond one of the service's limits
-  kQueueFull = 8,      // as many requests as the service holds are waiting
-  kNoJournal = 9,      // the journal cannot be written, so it could get lost
-  kShuttingDown = 10,  // the service is about to end
+  kBadId = 1,            // the id: empty, too long, or with other characters than it may have
+  kIdInUse = 2,          // another request has this id
+  kBadScene = 3,         // the scene is wrong, or a file that it names is not attached
+  kUnknownScene = 4,     // no scene of that name is in store
+  kBadQuery = 5,         // an unknown robot, or a start or goal that it cannot have
+  kBadOption = 6,        // method, solvers, deadline
+  kTooLarge = 7,         // beyond one of the service's limits
+  kQueueFull = 8,        // as many requests as the service holds are waiting
+  kNoJournal = 9,        // the journal cannot be written, so it could get lost
+  kShuttingDown = 10,    // the service is about to end
   kUnknownRequest = 11,  // said again or cancelled cannot be what nobody knows
 };
 std::string_view to_string(Rejection reason);

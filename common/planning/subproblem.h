@@ -92,18 +92,21 @@ struct Subproblem {
   bool is_crowd() const { return clear_until < std::numeric_limits<double>::infinity(); }
 };
 
-// What solving it cost. The same for the same subproblem.
+// What solving it cost. The same for the same subproblem: work on what many share, such as a
+// robot's own roadmaps, is counted as asked for, not as done.
 struct Effort {
   std::uint64_t searches = 0;
   std::uint64_t expansions = 0;
   std::uint64_t samples = 0;
   std::uint64_t motion_checks = 0;
+  std::uint64_t distance_queries = 0;  // but for those that proved edges of shared roadmaps
 
   Effort& operator+=(const Effort& other) {
     searches += other.searches;
     expansions += other.expansions;
     samples += other.samples;
     motion_checks += other.motion_checks;
+    distance_queries += other.distance_queries;
     return *this;
   }
 };

@@ -8,7 +8,7 @@ DirectPort::DirectPort(Bus& bus, TaskBoard& board, RequestId request, Turn turn)
     : bus_(bus),
       board_(board),
       request_(request),
-      turn_(std::move(turn)),
+      pass_(std::move(turn)),
       next_id_((request << 32U) + 1) {}
 
 DirectPort::~DirectPort() {
@@ -23,18 +23,18 @@ void DirectPort::open(RequestWork work) {
 std::optional<FinishedTask> DirectPort::wait(const std::atomic<bool>& stop) {
   while (!stop) {
     if (auto finished = board_.take_finished()) return finished;
-    run_loop_once();
+    turn();
   }
   return std::nullopt;
 }
 
-void DirectPort::run_loop_once() {
+void DirectPort::turn() {
   while (const auto event = bus_.take()) board_.on_event(*event, now_);
   board_.on_time(now_);
   while (const auto out = board_.next_outgoing(now_)) {
     board_.on_published(out->to, bus_.publish(out->to, out->message), now_);
   }
-  now_ = turn_(bus_, board_.next_deadline());
+  now_ = pass_(bus_, board_.next_deadline());
 }
 
 }  // namespace accord

@@ -24,19 +24,23 @@ class DirectPort final : public TaskPort {
   void open(RequestWork work) override;
   TaskId next_id() override { return next_id_++; }
   void add(std::vector<NewTask> tasks) override { board_.add(request_, std::move(tasks)); }
+  void cancel(const std::vector<TaskId>& tasks) override { board_.cancel(tasks); }
+  void hurry(const std::vector<TaskId>& tasks) override { board_.hurry(tasks); }
+  std::size_t threads() const override { return board_.threads(); }
   std::optional<FinishedTask> wait(const std::atomic<bool>& stop) override;
   void accept(TaskId task) override { board_.accept(task); }
   void reject(const FinishedTask& finished, const std::string& why) override {
     board_.reject(finished, why);
   }
 
- private:
-  void run_loop_once();
+  // One turn of the loop, for who waits for something else than a task.
+  void turn();
 
+ private:
   Bus& bus_;
   TaskBoard& board_;
   RequestId request_;
-  Turn turn_;
+  Turn pass_;
   TaskBoard::Time now_{0};
   TaskId next_id_;
 };

@@ -20,13 +20,15 @@ struct RequestWork {
   RequestId request = 0;
   SceneHash scene;
   std::shared_ptr<const Bytes> scene_bytes;  // canonical; handed to workers who lack the scene
-  Bytes hierarchy;                           // the solvers to try
 };
 
 struct NewTask {
   TaskId id = 0;      // no other task's, ever
+  Bytes hierarchy;    // the solvers to try, in order
   Bytes subproblem;   // its payload
   double weight = 1;  // how long it takes, in units of the caller's; a guess
+  // Of need: for threads that would idle, and out of their way as soon as they would not.
+  bool is_ahead = false;
 };
 
 // How a task ended. Only the first outcome of a task counts; what comes later is dropped.
@@ -40,8 +42,9 @@ struct FinishedTask {
   TaskId task = 0;
   How how = How::kDone;
   Bytes resolution;
-  EndpointId worker;  // who said so
-  std::string text;   // where it is not done: why, for people
+  double seconds = 0;  // it took
+  EndpointId worker;   // who said so
+  std::string text;    // where it is not done: why, for people
 };
 
 }  // namespace accord

@@ -27,8 +27,10 @@ void TaskBoard::add(RequestId request, std::vector<NewTask> tasks) {
   for (NewTask& fresh : tasks) {
     Task& task = tasks_[fresh.id];
     task.request = request;
+    task.hierarchy = std::move(fresh.hierarchy);
     task.subproblem = std::move(fresh.subproblem);
     task.weight = fresh.weight;
+    task.is_ahead = fresh.is_ahead;
     requests_.at(request).waiting.insert(fresh.id);
   }
   unfinished_ += tasks.size();
@@ -39,21 +41,13 @@ void TaskBoard::end(RequestId request) {
   const auto found = requests_.find(request);
   if (found == requests_.end()) return;
   const SceneHash scene = found->second.work.scene;
-  unfinished_ -= found->second.waiting.size();
-  for (auto& [id, worker] : workers_) {
-    Command revoke;
-    revoke.kind = Command::Kind::kRevoke;
-    for (const TaskId task : worker.tasks) {
-      if (tasks_.at(task).request == request) revoke.tasks.push_back({task, tasks_.at(task).epoch});
-    }
-    for (const TaskKey& key : revoke.tasks) drop_from(worker, key.task);
-    unfinished_ -= revoke.tasks.size();
-    if (!revoke.tasks.empty()) worker.outbox.emplace_back(std::move(revoke));
+  std::vector<TaskId> tasks;
+  for (const auto& [id, task] : tasks_) {
+    if (task.request == request) tasks.push_back(id);
   }
-  std::erase_if(tasks_, [&](const auto& entry) { return entry.second.request == request; });
-  std::erase_if(finished_, [&](const FinishedTask& task) { return task.request == request; });
+  cancel(tasks);
+  for (const TaskId id : tasks) tasks_.erase(id);  // those that were taken
   requests_.erase(found);
-  may_assign_ = true;
   const bool is_needed = std::ranges::any_of(
       requests_, [&](const auto& entry) { return entry.second.work.scene == scene; });
   if (is_needed) return;
@@ -74,6 +68,59 @@ void TaskBoard::forget(const SceneHash& scene) {
   }
 }
 
+void TaskBoard::cancel(const std::vector<TaskId>& tasks) {
+  std::set<TaskId> dropped;
+  for (const TaskId id : tasks) {
+    const auto found = tasks_.find(id);
+    if (found == tasks_.end()) continue;
+    if (requests_.at(found->second.request).waiting.erase(id) > 0) {
+      --unfinished_;
+      tasks_.erase(found);
+    } else if (drop_finished(id)) {
+      tasks_.erase(found);
+    } else {
+      dropped.insert(id);
+    }
+  }
+  for (auto& [id, worker] : workers_) {
+    Command revoke;
+    revoke.kind = Command::Kind::kRevoke;
+    for (const TaskId task : dropped) {
+      if (worker.tasks.contains(task)) revoke.tasks.push_back({task, tasks_.at(task).epoch});
+    }
+    if (revoke.tasks.empty()) continue;
+    for (const TaskKey& key : revoke.tasks) {
+      drop_from(worker, key.task);
+      tasks_.erase(key.task);
+    }
+    unfinished_ -= revoke.tasks.size();
+    worker.outbox.emplace_back(std::move(revoke));
+  }
+  may_assign_ = true;
+}
+
+bool TaskBoard::drop_finished(TaskId id) {
+  return std::erase_if(finished_, [id](const FinishedTask& task) { return task.task == id; }) > 0;
+}
+
+void TaskBoard::hurry(const std::vector<TaskId>& tasks) {
+  for (const TaskId id : tasks) {
+    const auto found = tasks_.find(id);
+    if (found == tasks_.end()) continue;
+    found->second.is_ahead = false;
+    for (auto& [worker, record] : workers_) record.ahead.erase(id);
+  }
+  may_assign_ = true;
+}
+
+std::size_t TaskBoard::threads() const {
+  std::size_t threads = 0;
+  for (const auto& [id, worker] : workers_) {
+    if (worker.standing == WorkerRecord::Standing::kWelcome) threads += worker.info.threads;
+  }
+  return threads;
+}
+
 std::optional<FinishedTask> TaskBoard::take_finished() {
   if (finished_.empty()) return std::nullopt;
   FinishedTask task = std::move(finished_.front());
@@ -90,7 +137,7 @@ void TaskBoard::finish(TaskId id, FinishedTask::How how, Bytes resolution, Endpo
                        std::string text) {
   const Task& task = tasks_.at(id);
   requests_.at(task.request).waiting.erase(id);
-  finished_.push_back({task.request, id, how, std::move(resolution), worker, std::move(text)});
+  finished_.push_back({task.request, id, how, std::move(resolution), 0, worker, std::move(text)});
   --unfinished_;
   ++counters_.finished;
   if (how == FinishedTask::How::kQuarantined) ++counters_.quarantined;
@@ -100,6 +147,7 @@ void TaskBoard::drop_from(WorkerRecord& worker, TaskId id) {
   worker.load -= tasks_.at(id).load;
   worker.tasks.erase(id);
   worker.begun.erase(id);
+  worker.ahead.erase(id);
   worker.unheard.erase(id);
   if (!worker.tasks.empty()) return;
   worker.load = 0;  // no rounding adds up
@@ -146,6 +194,7 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
             kMemory * seconds_per_weight_ + (1 - kMemory) * item.seconds / task.weight;
       }
       finish(id, FinishedTask::How::kDone, item.resolution, sender, "");
+      finished_.back().seconds = item.seconds;
       return;
     case ResultItem::Outcome::kHandedBack:
       take_back(id, false, "it was handed back: " + item.text);
@@ -175,7 +224,7 @@ void TaskBoard::take_back(TaskId id, bool is_to_blame, const std::string& why) {
     ++task.deaths;
     task.last_trouble = why;
   }
-  if (task.deaths >= settings_.deaths) {
+  if (task.deaths >= (task.is_ahead ? 1 : settings_.deaths)) {
     finish(id, FinishedTask::How::kQuarantined, {}, {}, task.last_trouble);
     return;
   }

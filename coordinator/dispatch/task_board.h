@@ -9,7 +9,9 @@
 //   * what a link has swallowed, a task or its result, is noticed from heartbeats, and done again;
 //   * a task whose workers die of it is given out a few times only (Settings::deaths), then it is
 //     finished as quarantined, so that it cannot take down one worker after the other. Where a
-//     worker had begun several, each of these goes to a worker of its own next, to find the one.
+//     worker had begun several, each of these goes to a worker of its own next, to find the one;
+//   * tasks ahead of need delay no others: they are given to idle threads only, taken back where a
+//     task that is needed finds no other, and given up after the first death.
 // Who gets which task, and when, depends on speeds and deaths; what comes back must not (that
 // solvers are deterministic is their own business).
 //
@@ -51,6 +53,7 @@ class TaskBoard {
     std::uint64_t late = 0;        // results of former assignments
     std::uint64_t reassigned = 0;  // after a worker was lost, left, failed or was distrusted
     std::uint64_t quarantined = 0;
+    std::uint64_t put_off = 0;  // tasks ahead of need that made way
     std::uint64_t workers_lost = 0;
     std::uint64_t workers_refused = 0;
   };
@@ -66,6 +69,12 @@ class TaskBoard {
   // Its tasks are dropped, and revoked from whoever works on them. Nothing happens where the
   // request is not there.
   void end(RequestId request);
+  // The same for some tasks. Nothing happens to those that are not there, or were taken.
+  void cancel(const std::vector<TaskId>& tasks);
+  // They are not ahead of need any more.
+  void hurry(const std::vector<TaskId>& tasks);
+  // Of all workers that get tasks.
+  std::size_t threads() const;
   // In the order in which they finished. Of one that is kDone, say whether its result holds:
   // accept() or reject().
   std::optional<FinishedTask> take_finished();
@@ -98,8 +107,10 @@ class TaskBoard {
  private:
   struct Task {
     RequestId request = 0;
+    Bytes hierarchy;
     Bytes subproblem;
     double weight = 1;
+    bool is_ahead = false;
     double load = 0;  // s: what it was expected to take when it was assigned
     std::uint32_t epoch = 0;
     std::optional<Time> sent;  // to whom it is assigned
@@ -124,11 +135,14 @@ class TaskBoard {
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);
   void forget(const SceneHash& scene);
+  bool drop_finished(TaskId id);
   void assign();
-  void assign(RequestId id, Request& request);
+  void assign(RequestId id, Request& request, bool is_ahead);
+  // Takes back tasks ahead of need that would keep needed ones waiting.
+  void make_way(WorkerRecord& worker);
   using Worker = std::map<EndpointId, WorkerRecord>::iterator;
   Worker least_loaded(const Task& task);
-  bool has_room(const WorkerRecord& worker) const;
+  bool has_room(const WorkerRecord& worker, const Task& task) const;
   bool nobody_takes(const Task& task) const;
   std::size_t fair_share(std::size_t waiting) const;
 

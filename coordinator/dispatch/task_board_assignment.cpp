@@ -16,12 +16,14 @@ double seconds(TaskBoard::Time time) {
 }  // namespace
 
 // Each thread of a worker has work in hand and as much again waiting, so that it does not idle
-// while a result travels.
-bool TaskBoard::has_room(const WorkerRecord& worker) const {
+// while a result travels. What is ahead of need is for threads that have none, and is in nobody's
+// way.
+bool TaskBoard::has_room(const WorkerRecord& worker, const Task& task) const {
   if (worker.standing != WorkerRecord::Standing::kWelcome) return false;
   if (worker.is_alone_with_suspect) return false;
+  if (task.is_ahead) return worker.tasks.size() < worker.info.threads;
   const auto threads = static_cast<double>(worker.info.threads);
-  return worker.tasks.size() < worker.info.threads ||
+  return worker.tasks.size() - worker.ahead.size() < worker.info.threads ||
          worker.load < 2 * threads * seconds(settings_.batch);
 }
 
@@ -44,7 +46,7 @@ TaskBoard::Worker TaskBoard::least_loaded(const Task& task) {
     return std::pair(worker.load / threads, static_cast<double>(worker.tasks.size()) / threads);
   };
   for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
-    if (!has_room(worker->second) || task.refused_by.contains(worker->first)) continue;
+    if (!has_room(worker->second, task) || task.refused_by.contains(worker->first)) continue;
     if (task.subproblem.size() > worker->second.info.task_bytes) continue;
     if (task.is_suspect && !worker->second.tasks.empty()) continue;
     if (best == workers_.end() || load(worker->second) < load(best->second)) best = worker;
@@ -55,25 +57,29 @@ TaskBoard::Worker TaskBoard::least_loaded(const Task& task) {
 // Of so many tasks what one thread may be given at once: nobody's batch takes what others would
 // idle for.
 std::size_t TaskBoard::fair_share(std::size_t waiting) const {
-  std::size_t threads = 0;
-  for (const auto& [id, worker] : workers_) {
-    if (worker.standing == WorkerRecord::Standing::kWelcome) threads += worker.info.threads;
-  }
-  return std::clamp<std::size_t>(waiting / std::max<std::size_t>(1, threads), 1, kBatchItems);
+  return std::clamp<std::size_t>(waiting / std::max<std::size_t>(1, threads()), 1, kBatchItems);
 }
 
 void TaskBoard::assign() {
   if (!may_assign_) return;
   may_assign_ = false;
-  for (auto& [id, request] : requests_) assign(id, request);
+  for (const bool is_ahead : {false, true}) {
+    for (auto& [id, request] : requests_) assign(id, request, is_ahead);
+  }
 }
 
-// Suspects go first, then long tasks, short ones in batches.
-void TaskBoard::assign(RequestId request_id, Request& request) {
-  std::vector<TaskId> waiting(request.waiting.begin(), request.waiting.end());
-  std::ranges::stable_sort(waiting, std::greater{}, [&](TaskId id) {
-    return std::pair(tasks_.at(id).is_suspect, tasks_.at(id).weight);
-  });
+// Suspects go first, then long tasks, short ones in batches. Those ahead of need in the order in
+// which they came, each for itself.
+void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
+  std::vector<TaskId> waiting;
+  for (const TaskId id : request.waiting) {
+    if (tasks_.at(id).is_ahead == is_ahead) waiting.push_back(id);
+  }
+  if (!is_ahead) {
+    std::ranges::stable_sort(waiting, std::greater{}, [&](TaskId id) {
+      return std::pair(tasks_.at(id).is_suspect, tasks_.at(id).weight);
+    });
+  }
   for (std::size_t next = 0; next < waiting.size();) {
     const Task& first = tasks_.at(waiting[next]);
     const Worker worker = least_loaded(first);
@@ -87,8 +93,8 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       continue;
     }
     WorkerRecord& record = worker->second;
-    const std::size_t share = fair_share(waiting.size() - next);
-    TaskBatch batch{request_id, request.work.scene, request.work.hierarchy, {}};
+    const std::size_t share = is_ahead ? 1 : fair_share(waiting.size() - next);
+    TaskBatch batch{request_id, request.work.scene, first.hierarchy, {}};
     double load = 0;
     std::size_t bytes = 0;
     for (; next < waiting.size() && batch.tasks.size() < share; ++next) {
@@ -97,6 +103,7 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       const bool fits = load + expected <= seconds(settings_.batch) &&
                         bytes + task.subproblem.size() <= kBatchBytes &&
                         task.subproblem.size() <= record.info.task_bytes &&
+                        task.hierarchy == batch.hierarchy &&
                         !task.refused_by.contains(worker->first) && !task.is_suspect;
       if (!batch.tasks.empty() && !fits) break;
       task.load = expected;
@@ -104,6 +111,7 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       bytes += task.subproblem.size();
       record.load += expected;
       record.tasks.insert(waiting[next]);
+      if (is_ahead) record.ahead.insert(waiting[next]);
       request.waiting.erase(waiting[next]);
       batch.tasks.push_back({{waiting[next], task.epoch}, task.subproblem});
       ++counters_.assigned;
@@ -112,8 +120,25 @@ void TaskBoard::assign(RequestId request_id, Request& request) {
       ++next;
       break;
     }
+    if (!is_ahead) make_way(record);
     record.outbox.emplace_back(std::move(batch));
   }
+}
+
+void TaskBoard::make_way(WorkerRecord& worker) {
+  Command revoke;
+  revoke.kind = Command::Kind::kRevoke;
+  while (worker.tasks.size() > worker.info.threads && !worker.ahead.empty()) {
+    const TaskId id = *worker.ahead.rbegin();
+    Task& task = tasks_.at(id);
+    revoke.tasks.push_back({id, task.epoch});
+    drop_from(worker, id);
+    ++task.epoch;
+    task.sent.reset();
+    requests_.at(task.request).waiting.insert(id);
+    ++counters_.put_off;
+  }
+  if (!revoke.tasks.empty()) worker.outbox.emplace_back(std::move(revoke));
 }
 
 std::optional<TaskBoard::Outgoing> TaskBoard::next_outgoing(Time now) {

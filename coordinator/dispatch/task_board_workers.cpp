@@ -77,6 +77,7 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
   WorkerRecord& worker = found->second;
   std::set<TaskId> begun = std::exchange(worker.begun, {});
   const std::set<TaskId> tasks = std::exchange(worker.tasks, {});
+  worker.ahead.clear();
   worker.unheard.clear();
   // It begins in order; what it has not said yet may have been its last.
   std::size_t threads = worker.info.threads;
@@ -91,7 +92,7 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
   for (const TaskId task : tasks) {
     const bool had_begun = is_lost && begun.contains(task);
     if (had_begun) tasks_.at(task).is_suspect = true;
-    take_back(task, had_begun && begun.size() == 1, trouble);
+    take_back(task, had_begun && (begun.size() == 1 || tasks_.at(task).is_ahead), trouble);
   }
   if (!is_lost) return;
   ++counters_.workers_lost;

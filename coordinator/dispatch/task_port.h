@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ class TaskPort {
   // A name for a task that no other task has, of this request or another.
   virtual TaskId next_id() = 0;
   virtual void add(std::vector<NewTask> tasks) = 0;
+  // As TaskBoard's. A task that was cancelled may still come out of wait() if it had finished.
+  virtual void cancel(const std::vector<TaskId>& tasks) = 0;
+  virtual void hurry(const std::vector<TaskId>& tasks) = 0;
+  // How many tasks can be worked on at once, at present: a guide to what is worth adding.
+  virtual std::size_t threads() const = 0;
   // The next task that is finished; waits for it. nullopt: `stop` became true.
   virtual std::optional<FinishedTask> wait(const std::atomic<bool>& stop) = 0;
   // As TaskBoard's.

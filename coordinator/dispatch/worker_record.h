@@ -37,6 +37,7 @@ struct WorkerRecord {
   Bus::Duration blocked_until{0};      // its link was full
   std::set<TaskId> tasks;              // in hand
   std::set<TaskId> begun;              // of these, as far as it has said
+  std::set<TaskId> ahead;              // of these: not needed yet
   std::map<TaskId, unsigned> unheard;  // of these: heartbeats in a row that did not name them
   bool is_alone_with_suspect = false;  // its only task is one that others may have died of
   double load = 0;                     // s: what is expected of them

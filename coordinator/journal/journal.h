@@ -85,8 +85,8 @@ class Journal {
   Result<std::uint64_t> accept(const std::vector<AcceptedRequest>& requests);
 
   // Records what became of unfinished requests, all of them or none, and gives up their records. As
-  // durable as accept(), and as cheap for many. Where it fails the requests stay unfinished; planned
-  // again, they have the same plans.
+  // durable as accept(), and as cheap for many. Where it fails the requests stay unfinished;
+  // planned again, they have the same plans.
   Result<void> finish(const std::vector<FinishedRequest>& requests);
 
   Result<std::optional<JournalEntry>> find(std::string_view id) const;

@@ -72,7 +72,7 @@ void add_requests(Adder& add) {
 void add_tasks(Adder& add) {
   const std::string name = "accord_tasks_total";
   const std::string help = "Tasks given to workers, by what became of them";
-  const auto event = [&](const char* label, std::uint64_t TaskBoard::Counters::* count) {
+  const auto event = [&](const char* label, std::uint64_t TaskBoard::Counters::*count) {
     add.counter(name, help, {{"event", label}},
                 [count](const Totals& t) { return number(t.tasks.*count); });
   };
@@ -95,8 +95,8 @@ void add_tasks(Adder& add) {
 
 void add_messages(Adder& add) {
   for (std::size_t kind = 0; kind < kMessageKinds; ++kind) {
-    const auto way = [&](const char* direction, std::uint64_t BusCounters::Kind::* messages,
-                         std::uint64_t BusCounters::Kind::* bytes) {
+    const auto way = [&](const char* direction, std::uint64_t BusCounters::Kind::*messages,
+                         std::uint64_t BusCounters::Kind::*bytes) {
       const Metrics::Labels labels{{"topic", kKinds[kind]}, {"direction", direction}};
       add.counter("accord_messages_total", "Messages to and from workers, by topic", labels,
                   [=](const Totals& t) { return number(t.bus.kinds[kind].*messages); });

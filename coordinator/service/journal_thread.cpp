@@ -48,9 +48,8 @@ JournalThread::~JournalThread() {
 void JournalThread::start(Work work) {
   {
     const std::lock_guard lock(mutex_);
-    const bool is_merged =
-        !work_.empty() && (merge<RequestDesk::Accept>(work_.back(), work) ||
-                           merge<RequestDesk::Finish>(work_.back(), work));
+    const bool is_merged = !work_.empty() && (merge<RequestDesk::Accept>(work_.back(), work) ||
+                                              merge<RequestDesk::Finish>(work_.back(), work));
     if (!is_merged) work_.push_back(std::move(work));
   }
   has_work_.notify_one();

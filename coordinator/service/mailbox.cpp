@@ -37,6 +37,13 @@ class Mailbox::Port final : public TaskPort {
       board.add(request, std::move(tasks));
     });
   }
+  void cancel(const std::vector<TaskId>& tasks) override {
+    mailbox_.ask([tasks](TaskBoard& board) { board.cancel(tasks); });
+  }
+  void hurry(const std::vector<TaskId>& tasks) override {
+    mailbox_.ask([tasks](TaskBoard& board) { board.hurry(tasks); });
+  }
+  std::size_t threads() const override { return mailbox_.threads_; }
   std::optional<FinishedTask> wait(const std::atomic<bool>& stop) override {
     std::unique_lock lock(mailbox_.mutex_);
     while (inbox_->tasks.empty()) {
@@ -85,6 +92,7 @@ void Mailbox::serve(TaskBoard& board) {
     asked.swap(asked_);
   }
   for (Ask& what : asked) what(board);
+  threads_ = board.threads();
 }
 
 void Mailbox::deliver(FinishedTask task) {

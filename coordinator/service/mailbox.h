@@ -1,10 +1,11 @@
 // Between the threads that plan and the loop that owns the task board: what ports ask of the board
 // one way, finished tasks the other.
 //
-// Thread safety: ports belong to one thread each; take(), deliver(), set_threads() and
-// close() are for the loop. The mailbox outlives its ports.
+// Thread safety: ports belong to one thread each; serve() and deliver() are for the
+// loop. The mailbox outlives its ports.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -50,6 +51,7 @@ class Mailbox {
   std::function<void()> wake_;
   std::mutex mutex_;
   std::vector<Ask> asked_;
+  std::atomic<std::size_t> threads_{0};  // of workers, when the board was served last
   std::map<RequestId, std::shared_ptr<Inbox>> inboxes_;
 };
 

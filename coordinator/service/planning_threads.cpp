@@ -7,7 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/io/plan_file.h"
-#include "coordinator/dispatch/remote_workforce.h"
+#include "coordinator/dispatch/remote_crew.h"
 #include "coordinator/service/quarantine.h"
 
 namespace accord {
@@ -131,8 +131,8 @@ void PlanningThreads::plan() {
       report(std::move(planned));
       continue;
     } catch (const TaskFailure& failure) {
-      planned.plan = failed(running.job, failure.what() + kept_where(settings_.quarantine,
-                                                                     running.job.id, failure));
+      planned.plan = failed(
+          running.job, failure.what() + kept_where(settings_.quarantine, running.job.id, failure));
     } catch (const std::bad_alloc&) {
       planned.plan = failed(running.job, "the service has not enough memory");
     } catch (const std::exception& bug) {
@@ -151,13 +151,15 @@ Plan PlanningThreads::plan(const Running& running) {
     request = next_request_++;
   }
   const Job& job = running.job;
-  const WorkforceFactory by_workers = [&](const CollisionWorld&, const CollisionWorld& detection,
-                                          const std::vector<std::string>& solvers) {
-    return std::make_unique<RemoteWorkforce>(mailbox_.open_port(request), detection, solvers);
+  const CrewFactory of_workers = [&](const CollisionWorld&, const CollisionWorld& detection) {
+    return std::make_unique<RemoteCrew>(mailbox_.open_port(request), detection);
   };
   return plan_with(
-      by_workers, job.scene, job.options,
-      [&](const Progress& progress) { report(Advanced{job.id, progress}); }, running.stop.get());
+      of_workers, job.scene, job.options,
+      [&](const Progress& progress) {
+        report(Advanced{job.id, progress});
+      },
+      running.stop.get());
 }
 
 }  // namespace accord

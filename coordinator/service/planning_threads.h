@@ -33,11 +33,11 @@ namespace accord {
 class PlanningThreads {
  public:
   struct Settings {
-    unsigned planning = 1;              // requests at a time
-    unsigned threads = 1;               // of each proof
-    std::filesystem::path scenes;       // stored ones; empty: none
-    RequestLimits limits;               // of what requests bring
-    std::filesystem::path quarantine;   // for tasks that could not be solved; empty: none are kept
+    unsigned planning = 1;             // requests at a time
+    unsigned threads = 1;              // of each proof
+    std::filesystem::path scenes;      // stored ones; empty: none
+    RequestLimits limits;              // of what requests bring
+    std::filesystem::path quarantine;  // for tasks that could not be solved; empty: none are kept
   };
   // `wake` rouses the loop: take() has something. Called from any thread. The mailbox must outlive
   // this.

@@ -69,10 +69,10 @@ std::optional<RequestReply> RequestDesk::refusal(const PlanRequest& request,
                                               " requests are held, and so many are waiting");
   }
   if (bytes_ + bytes > settings_.queued_bytes) {
-    return because(Rejection::kQueueFull,
-                   "no more than " + std::to_string(settings_.queued_bytes) +
-                       " bytes of requests are held; there are " + std::to_string(bytes_) +
-                       ", and it would bring " + std::to_string(bytes));
+    return because(Rejection::kQueueFull, "no more than " + std::to_string(settings_.queued_bytes) +
+                                              " bytes of requests are held; there are " +
+                                              std::to_string(bytes_) + ", and it would bring " +
+                                              std::to_string(bytes));
   }
   return std::nullopt;
 }

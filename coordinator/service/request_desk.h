@@ -39,13 +39,13 @@ namespace accord {
 class RequestDesk {
  public:
   struct Settings {
-    std::size_t queued = 1000;                          // requests that wait, at most
-    std::size_t queued_bytes = std::size_t{512} << 20;  // of what they brought, at most
-    std::size_t planning = 1;                           // requests planned at a time
-    std::size_t waypoints = 10'000'000;                 // of a plan, at most
-    unsigned threads = 1;                               // of a proof
-    double keep = 86400;                                // s, that finished plans are kept
-    bool outlives = true;                               // the journal, this process
+    std::size_t queued = 1000;                                 // requests that wait, at most
+    std::size_t queued_bytes = std::size_t{512} << 20;         // of what they brought, at most
+    std::size_t planning = 1;                                  // requests planned at a time
+    std::size_t waypoints = 10'000'000;                        // of a plan, at most
+    unsigned threads = 1;                                      // of a proof
+    double keep = 86400;                                       // s, that finished plans are kept
+    bool outlives = true;                                      // the journal, this process
     std::chrono::nanoseconds retry = std::chrono::seconds(1);  // of a write that has failed
   };
   struct Now {

@@ -91,8 +91,8 @@ void RequestDesk::begin_next(Now now) {
     if (request.deadline > 0) {
       const double left = request.deadline - (now.wall - request.accepted);
       if (left <= 0) {
-        end(id, request, PlanStatus::kTimeout,
-            "the deadline passed before its planning was begun", now);
+        end(id, request, PlanStatus::kTimeout, "the deadline passed before its planning was begun",
+            now);
         continue;
       }
       request.options.timeout = left;

@@ -65,8 +65,7 @@ void what_is_accepted_is_found(World& world) {
   require(found.has_value(), "it was not found");
   require(*found == JournalEntry{sequence, request.id, request.content, request.accepted_at, {}},
           "something about it was changed");
-  require(value_of(world.journal().record(request.id)) == request.record,
-          "its bytes were changed");
+  require(value_of(world.journal().record(request.id)) == request.record, "its bytes were changed");
   require(value_of(world.journal().unfinished()) == std::vector{*found}, "it is not unfinished");
   require_failure(world.journal().plan(request.id), "it has a plan");
 }
@@ -176,7 +175,8 @@ void a_batch_is_finished_whole_or_not_at_all(World& world) {
   const FinishedRequest stranger{"c", PlanStatus::kSolved, "{}", kNow};
   require_failure(world.journal().finish({a, stranger}), "a stranger was finished with another");
   require_failure(world.journal().finish({a, a}), "one was finished twice at once");
-  require(unfinished(world) == std::vector<std::string>{"a", "b"}, "a batch was finished by halves");
+  require(unfinished(world) == std::vector<std::string>{"a", "b"},
+          "a batch was finished by halves");
   value_of(world.journal().finish({a, b}));
   require(unfinished(world).empty(), "a batch was not finished");
   require(value_of(world.journal().plan("b")) == b.plan, "a plan was changed");
@@ -190,7 +190,8 @@ void entries_are_finished_ones_and_others(World& world) {
     ids.push_back(entry.id);
     require(entry.outcome.has_value() == (entry.id == "a"), "it is not known what is finished");
   }
-  require(ids == std::vector<std::string>{"b", "a", "c"}, "they are not in the order of acceptance");
+  require(ids == std::vector<std::string>{"b", "a", "c"},
+          "they are not in the order of acceptance");
 }
 
 // ---- Forgetting ----

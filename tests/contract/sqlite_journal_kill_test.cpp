@@ -116,7 +116,8 @@ void work_until_killed(const fs::path& path, std::uint64_t seed, const Say& say)
       const std::string id = open.front();
       open.erase(open.begin());
       const std::string plan = sample_plan(id, 2 * request_size(id));
-      const auto finished = (*journal)->finish({{id, PlanStatus::kSolved, plan, static_cast<double>(number)}});
+      const auto finished =
+          (*journal)->finish({{id, PlanStatus::kSolved, plan, static_cast<double>(number)}});
       if (!finished) return say("cannot finish: " + finished.error());
       say("finished " + id);
     }

@@ -90,7 +90,8 @@ TEST_F(JournalOnDisk, HasSyncedEverythingBeforeItReturns) {
     const std::string id = std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 200'000)}));
     ASSERT_TRUE(disk::all_synced()) << i;
-    ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 100'000), static_cast<double>(i)}}));
+    ASSERT_TRUE(journal->finish(
+        {{id, PlanStatus::kSolved, sample_plan(id, 100'000), static_cast<double>(i)}}));
     ASSERT_TRUE(disk::all_synced()) << i;
   }
   ASSERT_TRUE(journal->forget_finished_before(20, 100));
@@ -170,7 +171,8 @@ TEST_F(JournalOnDisk, UsesTheRoomOfWhatIsForgottenAgain) {
   for (int i = 0; i < 100; ++i) {
     const std::string id = std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 50'000)}));
-    ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 50'000), static_cast<double>(i)}}));
+    ASSERT_TRUE(journal->finish(
+        {{id, PlanStatus::kSolved, sample_plan(id, 50'000), static_cast<double>(i)}}));
     ASSERT_TRUE(journal->forget_finished_before(i - 5, 10));
     if (i == 20) most = journal->counts()->bytes;
   }
@@ -244,7 +246,8 @@ void fill(const fs::path& path) {
     const std::string id = "request-" + std::to_string(i);
     ASSERT_TRUE(journal->accept({sample_request(id, 3000)}));
     if (i % 2 == 0) {
-      ASSERT_TRUE(journal->finish({{id, PlanStatus::kSolved, sample_plan(id, 9000), static_cast<double>(i)}}));
+      ASSERT_TRUE(journal->finish(
+          {{id, PlanStatus::kSolved, sample_plan(id, 9000), static_cast<double>(i)}}));
     }
   }
 }

@@ -17,7 +17,7 @@ namespace {
 class Workers : public Workforce {
  public:
   explicit Workers(const std::shared_ptr<const Scene>& scene)
-      : scene_(scene), world_(scene, kPlanningMargin), worker_(world_, default_solver_names()) {}
+      : scene_(scene), world_(scene, kPlanningMargin), worker_(world_) {}
 
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
                                 const std::atomic<bool>& stop) override {
@@ -28,7 +28,7 @@ class Workers : public Workforce {
 
  protected:
   virtual Resolution one(const Subproblem& subproblem, const std::atomic<bool>& stop) {
-    return worker_.solve(subproblem, stop);
+    return worker_.solve(subproblem, default_solver_names(), stop);
   }
 
   std::shared_ptr<const Scene> scene_;
@@ -48,7 +48,7 @@ class WorkersBehindTheWire final : public Workers {
     largest = std::max(largest, bytes.size());
     const auto received = decode_subproblem(bytes, *scene_);
     if (!received) throw std::logic_error(received.error());
-    const Resolution resolution = worker_.solve(*received, stop);
+    const Resolution resolution = worker_.solve(*received, default_solver_names(), stop);
     auto returned = decode_resolution(encode_resolution(resolution), *scene_, subproblem);
     if (!returned) throw std::logic_error(returned.error());
     return *returned;

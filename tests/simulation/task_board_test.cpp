@@ -136,7 +136,7 @@ class Cluster {
     work.request = first;
     std::vector<NewTask> tasks;
     for (TaskId id = first; id < first + count; ++id) {
-      tasks.push_back({id, payload_of(id), 1 + static_cast<double>(id % 5)});
+      tasks.push_back({id, {}, payload_of(id), 1 + static_cast<double>(id % 5)});
     }
     board.add(std::move(work), std::move(tasks));
   }
@@ -334,7 +334,7 @@ TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
   board.on_event({kWorker, Message(announcement)}, Time(0));
   RequestWork work;
   work.request = 1;
-  board.add(std::move(work), {{5, payload_of(5), 1}});
+  board.add(std::move(work), {{5, {}, payload_of(5), 1}});
   const auto send_all = [&](Time now) {
     std::optional<TaskKey> assigned;
     while (const auto out = board.next_outgoing(now)) {
@@ -361,6 +361,153 @@ TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
   late.key = *second;
   board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(620));
   EXPECT_TRUE(board.take_finished());
+}
+
+// A board and its workers, whose every word is the test's.
+class Scripted {
+ public:
+  static constexpr RequestId kRequest = 1;
+
+  explicit Scripted(std::vector<std::uint32_t> threads) {
+    for (std::uint32_t i = 0; i < threads.size(); ++i) {
+      Announcement announcement;
+      announcement.threads = threads[i];
+      announcement.task_bytes = 100;
+      board.on_event({EndpointId{i + 1}, Message(announcement)}, Time(0));
+    }
+    RequestWork work;
+    work.request = kRequest;
+    board.add(std::move(work), {});
+    send();
+  }
+
+  void add(TaskId id, bool is_ahead, Bytes hierarchy = {}) {
+    // Heavy: nothing is sent in advance.
+    board.add(kRequest, {{id, std::move(hierarchy), payload_of(id), 1e6, is_ahead}});
+    send();
+  }
+
+  void send() {
+    while (const auto out = board.next_outgoing(Time(0))) {
+      if (const auto* batch = std::get_if<TaskBatch>(&out->message)) {
+        batches.push_back(*batch);
+        for (const TaskItem& item : batch->tasks) in_hand[item.key.task] = {out->to, item.key};
+      }
+      if (const auto* command = std::get_if<Command>(&out->message)) {
+        for (const TaskKey& key : command->tasks) {
+          if (in_hand.contains(key.task) && in_hand[key.task].second == key) {
+            in_hand.erase(key.task);
+          }
+        }
+      }
+      board.on_published(out->to, Published::kSent, Time(0));
+    }
+  }
+
+  void finish(TaskId id) {
+    const auto [worker, key] = in_hand.at(id);
+    ResultItem result;
+    result.key = key;
+    result.seconds = 0.25;
+    board.on_event({worker, Message(ResultBatch{{result}})}, Time(0));
+    in_hand.erase(id);
+    send();
+  }
+
+  std::set<TaskId> tasks_in_hand() const {
+    std::set<TaskId> out;
+    for (const auto& [id, where] : in_hand) out.insert(id);
+    return out;
+  }
+
+  TaskBoard board{TaskBoard::Settings{}};
+  std::vector<TaskBatch> batches;
+  std::map<TaskId, std::pair<EndpointId, TaskKey>> in_hand;
+};
+
+using Tasks = std::set<TaskId>;
+
+TEST(TaskBoard, GivesWhatIsAheadOfNeedToIdleThreadsOnlyInItsOrder) {
+  Scripted cluster({2});
+  EXPECT_EQ(cluster.board.threads(), 2U);
+  cluster.add(1, false);
+  cluster.add(2, true);
+  cluster.add(3, true);
+  EXPECT_EQ(cluster.tasks_in_hand(), (Tasks{1, 2}));
+  cluster.finish(2);
+  EXPECT_EQ(cluster.tasks_in_hand(), (Tasks{1, 3}));
+}
+
+TEST(TaskBoard, TakesBackWhatIsAheadOfNeedWhereOthersWouldWait) {
+  Scripted cluster({1, 1});
+  cluster.add(1, true);
+  cluster.add(2, true);
+  cluster.add(3, false);
+  EXPECT_TRUE(cluster.tasks_in_hand().contains(3));
+  EXPECT_EQ(cluster.tasks_in_hand().size(), 2U) << "one of them makes way, the other need not";
+  cluster.add(4, false);
+  EXPECT_EQ(cluster.tasks_in_hand(), (Tasks{3, 4}));
+  EXPECT_EQ(cluster.board.counters().put_off, 2U);
+  cluster.finish(3);
+  EXPECT_EQ(cluster.tasks_in_hand(), (Tasks{1, 4})) << "and is begun again";
+}
+
+TEST(TaskBoard, KeepsWhatWasHurried) {
+  Scripted cluster({1});
+  cluster.add(1, true);
+  cluster.board.hurry({1});
+  cluster.add(2, false);
+  EXPECT_TRUE(cluster.tasks_in_hand().contains(1));
+  EXPECT_EQ(cluster.board.counters().put_off, 0U);
+}
+
+TEST(TaskBoard, GivesUpWhatIsAheadOfNeedWhenItHasKilledOneWorker) {
+  Scripted cluster({1, 1});
+  cluster.add(1, true);
+  cluster.board.on_event({cluster.in_hand.at(1).first, PeerLost{}}, Time(0));
+  cluster.send();
+  const auto finished = cluster.board.take_finished();
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->how, FinishedTask::How::kQuarantined);
+  EXPECT_EQ(cluster.board.threads(), 1U);
+}
+
+TEST(TaskBoard, DropsWhatIsCancelledWhereverItIs) {
+  Scripted cluster({1});
+  cluster.add(1, false);
+  cluster.finish(1);      // finished, and not taken
+  cluster.add(2, false);  // in hand
+  cluster.add(3, true);   // waits
+  EXPECT_EQ(cluster.board.unfinished(), 2U);
+  cluster.board.cancel({1, 2, 3, 99});
+  cluster.send();
+  EXPECT_EQ(cluster.board.unfinished(), 0U);
+  EXPECT_TRUE(cluster.in_hand.empty()) << "it was not told to stop";
+  EXPECT_FALSE(cluster.board.take_finished());
+}
+
+TEST(TaskBoard, SaysHowLongATaskTook) {
+  Scripted cluster({1});
+  cluster.add(1, false);
+  cluster.finish(1);
+  EXPECT_EQ(cluster.board.take_finished()->seconds, 0.25);
+}
+
+// What a batch says of its hierarchy holds for all its tasks.
+TEST(TaskBoard, BatchesTasksOfTheSameHierarchyOnly) {
+  Scripted cluster({1});
+  std::vector<NewTask> tasks;
+  for (TaskId id = 1; id <= 9; ++id) {
+    tasks.push_back({id, Bytes(1, id % 2 == 0), payload_of(id), 1e-3});
+  }
+  cluster.board.add(Scripted::kRequest, std::move(tasks));
+  cluster.send();
+  for (const TaskBatch& batch : cluster.batches) {
+    for (const TaskItem& item : batch.tasks) {
+      EXPECT_EQ(batch.hierarchy, Bytes(1, item.key.task % 2 == 0));
+    }
+  }
+  EXPECT_EQ(cluster.tasks_in_hand().size(), 9U);
 }
 
 TEST(TaskBoard, SendsTheSceneThatWasAskedForLastFromItsBeginning) {

@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "client/engine/local_workforce.h"
+#include "client/engine/local_crew.h"
 #include "common/geometry/tolerances.h"
 #include "common/io/scene_file.h"
 #include "common/planning/method_names.h"
 #include "coordinator/arc.h"
+#include "coordinator/foreman.h"
 
 namespace accord::testing {
 
@@ -33,7 +34,7 @@ inline std::vector<Trajectory> planned_paths(const std::shared_ptr<const Scene>&
 
 inline std::vector<Trajectory> paths_planned_in_process(const std::shared_ptr<const Scene>& scene) {
   const CollisionWorld world(scene, kPlanningMargin);
-  LocalWorkforce workforce(world, default_solver_names(), 1);
+  Foreman workforce(std::make_unique<LocalCrew>(world, 1), default_solver_names());
   return planned_paths(scene, workforce);
 }
 

@@ -15,9 +15,9 @@ using testing::planned_here;
 using testing::request_for;
 using testing::ServiceProcesses;
 
-#define ASSERT_PLANNED(answer, expected)                                  \
-  ASSERT_TRUE(answer) << static_cast<int>((answer).error().why) << ": "   \
-                      << (answer).error().reply.text;                     \
+#define ASSERT_PLANNED(answer, expected)                                \
+  ASSERT_TRUE(answer) << static_cast<int>((answer).error().why) << ": " \
+                      << (answer).error().reply.text;                   \
   EXPECT_EQ(canonical_bytes(*(answer)), expected)
 
 TEST(Service, PlansAsOneProcessDoesWithAnyNumberOfWorkers) {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "coordinator/dispatch/direct_port.h"
-#include "coordinator/dispatch/remote_workforce.h"
+#include "coordinator/dispatch/remote_crew.h"
 #include "tests/contract/dds_world.h"
 #include "tests/support/child_process.h"
 #include "tests/support/planned_paths.h"
@@ -54,8 +54,9 @@ class WorkerProcesses : public ::testing::Test {
       return TaskBoard::Time(Clock::now() - began_);
     };
     const CollisionWorld world(scene, kDetectionMargin);
-    RemoteWorkforce workforce(std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), world,
-                              default_solver_names());
+    Foreman workforce(std::make_unique<RemoteCrew>(
+                          std::make_unique<DirectPort>(*bus_, board_, ++request_, turn), world),
+                      default_solver_names());
     return testing::planned_paths(scene, workforce);
   }
 

@@ -12,6 +12,7 @@
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
+#include "worker/solver.h"
 #include "worker/worker.h"
 
 namespace accord {
@@ -26,22 +27,14 @@ ResultItem trouble(ResultItem::Outcome outcome, std::string text) {
 
 }  // namespace
 
-// A scene, and a worker in it for every hierarchy that was asked for: they keep their roadmaps.
+// A scene, and the worker in it, which keeps its roadmaps.
 struct SceneShelf::Ready {
   explicit Ready(std::shared_ptr<const Scene> from)
-      : scene(std::move(from)), world(scene, kPlanningMargin) {}
-
-  const Worker& worker(const std::vector<std::string>& solvers) const {
-    const std::lock_guard lock(mutex);
-    auto& worker = workers[solvers];
-    if (!worker) worker = std::make_unique<Worker>(world, solvers);
-    return *worker;
-  }
+      : scene(std::move(from)), world(scene, kPlanningMargin), worker(world) {}
 
   std::shared_ptr<const Scene> scene;
   CollisionWorld world;
-  mutable std::mutex mutex;
-  mutable std::map<std::vector<std::string>, std::unique_ptr<Worker>> workers;
+  Worker worker;
 };
 
 SceneShelf::SceneShelf() = default;
@@ -84,7 +77,7 @@ ResultItem SceneShelf::solve(const TaskDesk::Job& job, const std::atomic<bool>& 
   const auto begin = std::chrono::steady_clock::now();
   ResultItem item;
   try {
-    item.resolution = encode_resolution(ready->worker(*solvers).solve(*subproblem, stop));
+    item.resolution = encode_resolution(ready->worker.solve(*subproblem, *solvers, stop));
   } catch (const std::bad_alloc&) {
     return trouble(ResultItem::Outcome::kFailed, "not enough memory");
   }

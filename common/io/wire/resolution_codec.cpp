@@ -10,11 +10,12 @@ namespace accord {
 namespace {
 
 void put(const Effort& effort, payload::Effort& out) {
-  const auto& [searches, expansions, samples, motion_checks] = effort;
+  const auto& [searches, expansions, samples, motion_checks, distance_queries] = effort;
   out.set_searches(searches);
   out.set_expansions(expansions);
   out.set_samples(samples);
   out.set_motion_checks(motion_checks);
+  out.set_distance_queries(distance_queries);
 }
 
 bool take_paths(const payload::Resolution& from, const Scene& scene, const Subproblem& subproblem,
@@ -85,7 +86,8 @@ tl::expected<Resolution, std::string> decode_resolution(BytesView bytes, const S
   out.solver = message.solver();
   out.end = message.end();
   out.effort = {message.effort().searches(), message.effort().expansions(),
-                message.effort().samples(), message.effort().motion_checks()};
+                message.effort().samples(), message.effort().motion_checks(),
+                message.effort().distance_queries()};
   Inspector inspector;
   const PayloadPath solver("solver");
   const bool sound =

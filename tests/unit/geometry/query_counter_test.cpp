@@ -38,6 +38,30 @@ TEST(QueryCounter, LosesNothingWithMoreThreadsThanSlots) {
   EXPECT_EQ(counter.total(), 2 * 3U * 100U * 2000U);
 }
 
+TEST(SeparateCost, IsWhatItsThreadCountsWhileItLivesOnWhateverCounter) {
+  QueryCounter one, other;
+  one.add(5);
+  const SeparateCost cost;
+  one.add(1);
+  other.add(2);
+  std::jthread([&] { one.add(100); }).join();
+  EXPECT_EQ(cost.so_far(), 3U);
+}
+
+TEST(SeparateCost, IsNobodyElsesToo) {
+  QueryCounter counter;
+  const SeparateCost outer;
+  counter.add(1);
+  {
+    const SeparateCost inner;
+    counter.add(10);
+    EXPECT_EQ(inner.so_far(), 10U);
+  }
+  counter.add(2);
+  EXPECT_EQ(outer.so_far(), 3U);
+  EXPECT_EQ(counter.total(), 13U);
+}
+
 TEST(DistanceTally, TellsTheWorldOnceWhenItGoes) {
   const CollisionWorld world(test_scenes::SceneBuilder(true).build(), kPlanningMargin);
   {

@@ -28,6 +28,7 @@ TEST(ResolutionCodec, BringsRandomResolutionsBackToTheBit) {
     EXPECT_EQ(decoded->effort.expansions, resolution.effort.expansions);
     EXPECT_EQ(decoded->effort.samples, resolution.effort.samples);
     EXPECT_EQ(decoded->effort.motion_checks, resolution.effort.motion_checks);
+    EXPECT_EQ(decoded->effort.distance_queries, resolution.effort.distance_queries);
     ASSERT_EQ(encode_resolution(*decoded), bytes);
   }
 }

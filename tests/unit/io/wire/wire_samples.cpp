@@ -138,7 +138,7 @@ Resolution random_resolution(RandomStream& random, const Subproblem& subproblem)
   out.solved = random.below(2) == 0;
   out.solver = "prioritized-query";
   out.roadmap_level = static_cast<int>(random.below(6)) - 1;
-  out.effort = {random.next(), random.next(), 0, random.below(9)};
+  out.effort = {random.next(), random.next(), 0, random.below(9), random.next()};
   out.end = random_number(random, 0, 1000);
   for (const Task& task : subproblem.tasks) {
     out.paths.push_back(
