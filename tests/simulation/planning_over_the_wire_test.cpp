@@ -63,8 +63,8 @@ class WorkersWithAndWithoutMemory final : public Workers {
  private:
   Resolution one(const Subproblem& subproblem, const std::atomic<bool>& stop) override {
     const CollisionWorld world(scene_, kPlanningMargin);
-    const Resolution fresh = Worker(world, default_solver_names()).solve(subproblem, stop);
-    Resolution resolution = worker_.solve(subproblem, stop);
+    const Resolution fresh = Worker(world).solve(subproblem, default_solver_names(), stop);
+    Resolution resolution = worker_.solve(subproblem, default_solver_names(), stop);
     EXPECT_EQ(encode_resolution(resolution), encode_resolution(fresh));
     return resolution;
   }

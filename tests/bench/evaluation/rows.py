@@ -16,7 +16,7 @@ COLUMNS = (
     "conflicts", "rounds", "subproblems",
     "solved_by",  # solver:count ..., the subproblems solved on each level
     "largest_group",  # robots planned together
-    "windows_grown", "robots_taken_in", "motion_checks", "expansions",
+    "windows_grown", "robots_taken_in", "motion_checks", "distance_queries", "expansions",
     "peak_memory",  # MB, resident
     "time_limit",  # s
     "workers")

@@ -13,8 +13,8 @@ GRACE = 60  # s after its time limit at which a run is taken to hang
 COUNTS = {  # column: the plan's statistic
     "conflicts": "conflicts_found", "rounds": "rounds", "subproblems": "subproblems",
     "windows_grown": "windows_grown", "robots_taken_in": "robots_taken_in",
-    "motion_checks": "motion_checks", "expansions": "expansions", "lower_bound": "lower_bound",
-    "proof_time": "proof_time"}
+    "motion_checks": "motion_checks", "distance_queries": "distance_queries",
+    "expansions": "expansions", "lower_bound": "lower_bound", "proof_time": "proof_time"}
 
 
 @dataclasses.dataclass(frozen=True)

@@ -146,6 +146,7 @@ TEST(Planner, CountsWhatItDid) {
   EXPECT_GE(statistic(found, "subproblems"), statistic(found, "conflicts_resolved"));
   EXPECT_GE(statistic(found, "lower_bound"), 16 - 1e-6) << "8 m each at 1 m/s";
   EXPECT_LE(statistic(found, "lower_bound"), found.sum_of_costs);
+  EXPECT_GE(statistic(found, "distance_queries"), statistic(found, "conflicts_found"));
   for (const char* name : {"searches", "expansions", "samples", "motion_checks", "pair_checks",
                            "initial_paths_time", "conflicts_time", "proof_time"}) {
     EXPECT_GE(statistic(found, name), 0) << name;
