@@ -15,12 +15,12 @@ std::string joined(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
-std::string range_in_words(Range range) {
+}  // namespace
+
+std::string in_words(Range range) {
   const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
   return "a number from " + in_words(range.min) + " to " + in_words(range.max) + unit;
 }
-
-}  // namespace
 
 Place place_of(const Value& value) {
   return {value.file(), value.line(), value.path()};
@@ -161,7 +161,7 @@ std::optional<double> read_number(const Value& value, Faults& faults) {
 std::optional<double> read_number(const Value& value, Range range, Faults& faults) {
   const auto number = read_number(value, faults);
   if (!number || (*number >= range.min && *number <= range.max)) return number;
-  std::string text = "expected " + range_in_words(range) + ", not ";
+  std::string text = "expected " + in_words(range) + ", not ";
   const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
   if (range.min > 0 && *number <= 0) text = "must be greater than 0" + unit + ", not ";
   if (range.min == 0 && *number < 0) text = "must not be less than 0" + unit + ", but is ";

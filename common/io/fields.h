@@ -30,6 +30,9 @@ struct Range {
   std::string_view unit;
 };
 
+// "a number from 0 to 100000 m".
+std::string in_words(Range range);
+
 inline constexpr Range kCoordinateRange{-limits::kCoordinate, limits::kCoordinate, "m"};
 inline constexpr Range kSizeRange{limits::kMinSize, limits::kSize, "m"};
 inline constexpr Range kAngleRange{-limits::kAngle, limits::kAngle, "rad"};

@@ -26,10 +26,7 @@ tl::expected<std::string, std::string> read_file(const fs::path& path, std::size
   std::array<char, 65536> chunk{};
   while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
     bytes.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > max_bytes) {
-      return tl::unexpected(path_in_quotes(path) + " is too large; expected at most " +
-                            std::to_string(max_bytes >> 20U) + " MiB");
-    }
+    if (bytes.size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
   }
   if (stream.bad()) return tl::unexpected(cannot + "it cannot be read");
   return bytes;
@@ -46,6 +43,11 @@ tl::expected<fs::path, std::string> resolve(std::string_view reference, const fs
                           in_quotes(reference));
   }
   return folder / path;
+}
+
+std::string too_large(const fs::path& path, std::size_t max_bytes) {
+  return path_in_quotes(path) + " is too large; expected at most " +
+         std::to_string(max_bytes >> 20U) + " MiB";
 }
 
 std::string path_in_quotes(const fs::path& path) {

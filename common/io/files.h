@@ -19,6 +19,9 @@ tl::expected<std::string, std::string> read_file(const std::filesystem::path& pa
 tl::expected<std::filesystem::path, std::string> resolve(std::string_view reference,
                                                          const std::filesystem::path& folder);
 
+// That a file is, as in `"rack.stl" is too large; expected at most 64 MiB`.
+std::string too_large(const std::filesystem::path& path, std::size_t max_bytes);
+
 // In quotes, whole: a path that is cut does not say which file it is.
 std::string path_in_quotes(const std::filesystem::path& path);
 

@@ -63,6 +63,8 @@ inline constexpr std::size_t kRequestIdBytes = 128;
 inline constexpr std::size_t kAttachments = 1'000;
 inline constexpr std::size_t kAttachmentBytes = std::size_t{64} << 20;  // of one request together
 inline constexpr double kDeadline = 1e7;                                // s
+inline constexpr std::size_t kFaultFieldBytes = 256;                    // of what is said of one
+inline constexpr std::size_t kFaultTextBytes = 900;
 // As the journal keeps them: a scene's text, attachments, and 4 MiB for the rest.
 inline constexpr std::size_t kRequestBytes = std::size_t{72} << 20;
 inline constexpr std::size_t kRequestParts = 50'000;  // four a query, three an attachment

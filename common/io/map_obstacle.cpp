@@ -35,13 +35,13 @@ std::optional<Map> load_map(const Fields& fields, SceneContext& context) {
     cell = read_number(*given, kSizeRange, context.faults);
     if (ros) fault_at(*given, "a ROS map has its own resolution; leave cell out", context.faults);
   }
-  const auto text = read_file(*path, limits::kMapBytes);
+  const auto text = context.files.read(*path, limits::kMapBytes);
   if (!text) {
     fault_at(value, text.error(), context.faults);
     return std::nullopt;
   }
   if (ros) {
-    auto map = parse_ros_map(*text, *path, context.faults);
+    auto map = parse_ros_map(*text, *path, context.files, context.faults);
     if (!map) return std::nullopt;
     return Map{std::move(map->grid), map->resolution, map->origin};
   }

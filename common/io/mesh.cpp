@@ -62,14 +62,14 @@ bool is_closed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   return !triangles.empty();
 }
 
-std::optional<TriangleSoup> parse(const std::filesystem::path& path, const Blame& blame,
-                                  Faults& faults) {
+std::optional<TriangleSoup> parse(const std::filesystem::path& path, const FileSource& files,
+                                  const Blame& blame, Faults& faults) {
   const std::string extension = extension_of(path);
   if (extension != ".stl" && extension != ".obj") {
     blame("expected a mesh that ends in .stl or .obj, not " + path_in_quotes(path));
     return std::nullopt;
   }
-  const auto bytes = read_file(path, limits::kMeshBytes);
+  const auto bytes = files.read(path, limits::kMeshBytes);
   if (!bytes) {
     blame(bytes.error());
     return std::nullopt;
@@ -146,7 +146,7 @@ std::shared_ptr<const TriangleMesh> MeshStore::load(const std::filesystem::path&
   const auto [found, is_new] =
       meshes_.try_emplace({path.string(), {scale.x(), scale.y(), scale.z()}});
   if (!is_new) return found->second;
-  const auto soup = parse(path, blame.file, faults);
+  const auto soup = parse(path, files_, blame.file, faults);
   if (!soup) return nullptr;
   auto mesh = std::make_shared<TriangleMesh>(weld(*soup, scale));
   if (!is_sound(*mesh, path_in_quotes(path), blame)) return nullptr;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/io/diagnostic.h"
+#include "common/io/file_source.h"
 #include "common/io/triangle_soup.h"
 #include "common/model/shape.h"
 
@@ -32,12 +33,17 @@ struct MeshBlame {
 // The meshes of one scene. Not thread safe.
 class MeshStore {
  public:
+  // `files` outlives it.
+  explicit MeshStore(const FileSource& files = file_system()) : files_(files) {}
+
+  const FileSource& files() const { return files_; }
   // Faults of lines stand in the file itself, others are put to whoever is to blame. Null where
   // there was a fault, which is reported once for each file and scale.
   std::shared_ptr<const TriangleMesh> load(const std::filesystem::path& path, const Vec3& scale,
                                            const MeshBlame& blame, Faults& faults);
 
  private:
+  const FileSource& files_;
   using Key = std::pair<std::string, std::array<double, 3>>;
   std::map<Key, std::shared_ptr<const TriangleMesh>> meshes_;
 };

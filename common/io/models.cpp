@@ -3,10 +3,8 @@
 #include <array>
 #include <set>
 #include <string_view>
-#include <system_error>
 
 #include "common/io/fields.h"
-#include "common/io/files.h"
 #include "common/io/limits.h"
 #include "common/io/mobile_models.h"
 #include "common/io/planar_checks.h"
@@ -20,13 +18,13 @@ namespace {
 constexpr std::array<std::string_view, 4> kKinds = {"disk", "footprint", "ball", "urdf"};
 
 // Adds what the SRDF beside the URDF says, where there is one.
-void add_srdf(std::filesystem::path path, RobotModel& model, const Blame& blame, Faults& faults) {
+void add_srdf(std::filesystem::path path, const Value& urdf, RobotModel& model,
+              SceneContext& context) {
   path.replace_extension(".srdf");
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return;
-  const auto text = read_file(path, limits::kUrdfBytes);
-  if (!text) return blame(text.error());
-  apply_srdf(*text, path.string(), model, faults);
+  if (!context.files.exists(path)) return;
+  const auto text = context.files.read(path, limits::kUrdfBytes);
+  if (!text) return fault_at(urdf, text.error(), context.faults);
+  apply_srdf(*text, path.string(), model, context.faults);
 }
 
 std::optional<RobotModel> read_arm(const Value& value, SceneContext& context) {
@@ -34,15 +32,15 @@ std::optional<RobotModel> read_arm(const Value& value, SceneContext& context) {
   const Fields fields(value, "a urdf model", {"urdf"}, context.faults);
   const Value urdf = *fields.find("urdf");
   const auto path = context.file_of(urdf);
-  const auto text = path ? read_file(*path, limits::kUrdfBytes) : tl::unexpected(std::string());
+  const auto text =
+      path ? context.files.read(*path, limits::kUrdfBytes) : tl::unexpected(std::string());
   if (!text) {
     if (path) fault_at(urdf, text.error(), context.faults);
     return std::nullopt;
   }
   auto arm = parse_urdf(*text, *path, context.meshes, context.faults);
   if (!arm) return std::nullopt;
-  add_srdf(
-      *path, arm->model, [&](auto why) { fault_at(urdf, why, context.faults); }, context.faults);
+  add_srdf(*path, urdf, arm->model, context);
   for (std::size_t i = 0; i < arm->model.bodies.size(); ++i) {
     context.afford(arm->model.bodies[i].shape,
                    [&](auto why) { context.faults.add(arm->body_places[i], why); });

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/geometry/collision_world.h"
-#include "common/io/fields.h"
+#include "common/io/robots.h"
 #include "common/io/words.h"
 
 namespace accord {
@@ -21,28 +21,29 @@ std::string metres(double value) {
 
 // The start or the goal of all robots.
 struct Side {
+  QuerySide name;
   std::string_view word;
   Configuration Robot::*configuration;
-  std::optional<Value> PlacedRobot::*value;  // nullopt: not to be checked
+  QueryCheck QueryChecks::*check;
 };
 
-constexpr std::array kSides = {Side{"start", &Robot::start, &PlacedRobot::start},
-                               Side{"goal", &Robot::goal, &PlacedRobot::goal}};
+constexpr std::array kSides = {Side{QuerySide::kStart, "start", &Robot::start, &QueryChecks::start},
+                               Side{QuerySide::kGoal, "goal", &Robot::goal, &QueryChecks::goal}};
 
 class QueryChecker {
  public:
-  QueryChecker(std::shared_ptr<const Scene> scene, const std::vector<PlacedRobot>& robots,
-               Faults& faults)
-      : scene_(*scene), world_(std::move(scene), kQueryMargin), robots_(robots), faults_(faults) {}
+  QueryChecker(std::shared_ptr<const Scene> scene, const std::vector<QueryChecks>& checks,
+               const QueryBlame& blame)
+      : scene_(*scene), world_(std::move(scene), kQueryMargin), checks_(checks), blame_(blame) {}
 
   void check(const Side& side) {
     std::vector<RobotId> robots;
     for (std::uint32_t i = 0; i < scene_.robots.size(); ++i) {
-      if (robots_[i].*side.value) robots.push_back(RobotId{i});
+      if (checks_[i].*side.check != QueryCheck::kNone) robots.push_back(RobotId{i});
     }
     for (const RobotId id : robots) {
-      if (faults_.full()) return;
-      check_alone(side, id);
+      if (ended_) return;
+      if (is_due(side, id)) check_alone(side, id);
     }
     check_pairs(side, robots);
   }
@@ -52,15 +53,17 @@ class QueryChecker {
     return scene_.robot(id).*side.configuration;
   }
 
-  // Requires: the robot has such a side.
+  bool is_due(const Side& side, RobotId id) const {
+    return checks_[id.index()].*side.check == QueryCheck::kDue;
+  }
+
   void report(const Side& side, RobotId id, const std::string& text) {
     const bool arm = scene_.robot(id).model->kind == RobotKind::kArm;
     const std::string word(side.word);
-    const PlacedRobot& placed = robots_[id.index()];
-    fault_at(
-        (placed.*side.value).value_or(placed.value),
-        text + (arm ? "; choose another " + word : "; move the " + word + " or shrink the robot"),
-        faults_);
+    const bool go_on = blame_(
+        id, side.name,
+        text + (arm ? "; choose another " + word : "; move the " + word + " or shrink the robot"));
+    ended_ = ended_ || !go_on;
   }
 
   std::string robot_in_words(RobotId id) const {
@@ -133,7 +136,7 @@ class QueryChecker {
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         if (boxes[order[j]].min[axis] > boxes[order[i]].max[axis]) break;
         if (!boxes[order[i]].overlaps(boxes[order[j]])) continue;
-        if (faults_.full()) return;
+        if (ended_) return;
         check_pair(side, robots[std::min(order[i], order[j])],
                    robots[std::max(order[i], order[j])]);
       }
@@ -150,10 +153,12 @@ class QueryChecker {
   }
 
   void check_pair(const Side& side, RobotId first, RobotId second) {
+    if (!is_due(side, first) && !is_due(side, second)) return;
+    // The later robot is to blame, as one reads from the top, unless it has passed.
+    if (!is_due(side, second)) std::swap(first, second);
     const Configuration& a = configuration(side, first);
     const Configuration& b = configuration(side, second);
     if (world_.are_clear(first, a, second, b)) return;
-    // The later robot is to blame, as one reads from the top.
     const Fault fault = world_.closest(second, b, first, a);
     report(side, second,
            robot_in_words(second) +
@@ -163,15 +168,16 @@ class QueryChecker {
 
   const Scene& scene_;
   CollisionWorld world_;
-  const std::vector<PlacedRobot>& robots_;
-  Faults& faults_;
+  const std::vector<QueryChecks>& checks_;
+  const QueryBlame& blame_;
+  bool ended_ = false;
 };
 
 }  // namespace
 
-void check_queries(std::shared_ptr<const Scene> scene, const std::vector<PlacedRobot>& robots,
-                   Faults& faults) {
-  QueryChecker checker(std::move(scene), robots, faults);
+void check_queries(std::shared_ptr<const Scene> scene, const std::vector<QueryChecks>& checks,
+                   const QueryBlame& blame) {
+  QueryChecker checker(std::move(scene), checks, blame);
   for (const Side& side : kSides) checker.check(side);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "common/io/configuration_checks.h"
 #include "common/io/fields.h"
 #include "common/io/limits.h"
 #include "common/io/planar_checks.h"
@@ -10,33 +11,6 @@
 
 namespace accord {
 namespace {
-
-std::string configuration_in_words(const RobotModel& model) {
-  switch (model.kind) {
-    case RobotKind::kDisk:
-      return "[x, y]";
-    case RobotKind::kFootprint:
-      return "[x, y, heading]";
-    case RobotKind::kBall:
-      return "[x, y, z]";
-    case RobotKind::kArm:
-      return "a list of " + std::to_string(model.dof()) +
-             (model.dof() == 1 ? " number" : " numbers") + ", one a movable joint";
-  }
-  return "";
-}
-
-// Reports a number beyond the limits of a degree of freedom.
-bool within_limits(const Value& value, double number, const DegreeOfFreedom& dof, Faults& faults) {
-  const bool below = number < dof.lower;
-  if (!below && number <= dof.upper) return true;
-  fault_at(value,
-           "joint " + in_quotes(dof.name) + " at " + in_words(number) + " is " +
-               (below ? "below its lower limit of " : "above its upper limit of ") +
-               in_words(below ? dof.lower : dof.upper),
-           faults);
-  return false;
-}
 
 std::optional<Configuration> read_configuration(const Value& value, const RobotModel& model,
                                                 Faults& faults) {
@@ -49,10 +23,10 @@ std::optional<Configuration> read_configuration(const Value& value, const RobotM
   bool sound = true;
   for (const Value item : value) {
     const std::size_t i = q.size();
-    const DegreeOfFreedom& dof = model.dofs[i];
-    const Range range = i < model.translations() ? kCoordinateRange : kAngleRange;
-    const auto number = read_number(item, range, faults);
-    sound = number && within_limits(item, *number, dof, faults) && sound;
+    const auto number = read_number(item, range_of(model, i), faults);
+    const auto fault = number ? limit_fault(model.dofs[i], *number) : std::nullopt;
+    if (fault) fault_at(item, *fault, faults);
+    sound = number && !fault && sound;
     q.push_back(number.value_or(0));
   }
   if (!sound) return std::nullopt;

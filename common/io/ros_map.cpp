@@ -48,12 +48,13 @@ Grid to_grid(const Graymap& map, const Reading& reading) {
   return grid;
 }
 
-std::optional<Grid> read_image(const Value& image, const std::filesystem::path& folder,
-                               const Reading& reading, Faults& faults) {
+std::optional<Grid> read_image(const Value& image, const FileSource& files,
+                               const std::filesystem::path& folder, const Reading& reading,
+                               Faults& faults) {
   const auto name = read_name(image, faults);
   if (!name) return std::nullopt;
   const auto path = resolve(*name, folder);
-  const auto bytes = path ? read_file(*path, limits::kMapBytes) : tl::unexpected(path.error());
+  const auto bytes = path ? files.read(*path, limits::kMapBytes) : tl::unexpected(path.error());
   if (!bytes) {
     fault_at(image, bytes.error(), faults);
     return std::nullopt;
@@ -90,7 +91,7 @@ Reading read_reading(const Fields& fields, Faults& faults) {
 }  // namespace
 
 std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem::path& path,
-                                    Faults& faults) {
+                                    const FileSource& files, Faults& faults) {
   const std::size_t before = faults.count();
   const auto document = read_yaml(text, path.string(), kMapValues, faults);
   if (!document || !expect_map(document->root(), "a map_server map", faults)) return std::nullopt;
@@ -108,7 +109,7 @@ std::optional<RosMap> parse_ros_map(std::string_view text, const std::filesystem
     if (origin) map.origin = make_pose({(*origin)[0], (*origin)[1], 0}, {0, 0, (*origin)[2]});
   }
   if (const auto image = fields.require("image", "the name of a pgm file")) {
-    auto grid = read_image(*image, path.parent_path(), reading, faults);
+    auto grid = read_image(*image, files, path.parent_path(), reading, faults);
     if (grid) map.grid = std::move(*grid);
   }
   if (faults.count() != before) return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "common/io/diagnostic.h"
 #include "common/io/document.h"
+#include "common/io/file_source.h"
 #include "common/io/mesh.h"
 #include "common/io/pose_fields.h"
 #include "common/model/scene.h"
@@ -16,12 +17,13 @@ namespace accord {
 
 struct SceneContext {
   Faults& faults;
-  // Where the files that the scene names lie; empty: it may name none.
+  // Where in `files` those lie that the scene names; empty: it may name none.
   std::filesystem::path folder;
+  const FileSource& files = file_system();
   Space space = Space::kUnknown;
   bool bounds_given = false;          // soundly or not
   std::optional<Bounds> bounds = {};  // where sound
-  MeshStore meshes = {};
+  MeshStore meshes = MeshStore(files);
 
   // Spent so far; see limits.h.
   std::size_t vertices = 0;

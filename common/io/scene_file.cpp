@@ -20,8 +20,11 @@ constexpr std::string_view kVersion = "scene/1";
 
 class SceneReader {
  public:
-  SceneReader(const std::string& file, const std::filesystem::path& folder, Faults& faults)
-      : file_(file), faults_(faults), context_{.faults = faults, .folder = folder} {}
+  SceneReader(const std::string& file, const std::filesystem::path& folder, const FileSource& files,
+              Faults& faults)
+      : file_(file),
+        faults_(faults),
+        context_{.faults = faults, .folder = folder, .files = files} {}
 
   std::shared_ptr<const Scene> read(std::string_view text) {
     if (text.size() > limits::kSceneBytes) {
@@ -42,7 +45,7 @@ class SceneReader {
     const std::vector<PlacedRobot> robots = read_fleet(fields);
     auto scene = std::make_shared<const Scene>(std::move(scene_));
     // What is sound is checked even where other parts are not, so that one run finds all faults.
-    if (context_.space != Space::kUnknown) check_queries(scene, robots, faults_);
+    if (context_.space != Space::kUnknown && !faults_.full()) check_starts_and_goals(scene, robots);
     return scene;
   }
 
@@ -144,6 +147,21 @@ class SceneReader {
     return robots;
   }
 
+  void check_starts_and_goals(const std::shared_ptr<const Scene>& scene,
+                              const std::vector<PlacedRobot>& robots) {
+    std::vector<QueryChecks> checks;
+    for (const PlacedRobot& placed : robots) {
+      checks.push_back({placed.start ? QueryCheck::kDue : QueryCheck::kNone,
+                        placed.goal ? QueryCheck::kDue : QueryCheck::kNone});
+    }
+    check_queries(scene, checks, [&](RobotId robot, QuerySide side, std::string_view text) {
+      const PlacedRobot& placed = robots[robot.index()];
+      const auto& value = side == QuerySide::kStart ? placed.start : placed.goal;
+      fault_at(value.value_or(placed.value), text, faults_);
+      return !faults_.full();
+    });
+  }
+
   const std::string& file_;
   Faults& faults_;
   SceneContext context_;
@@ -160,9 +178,9 @@ SceneResult load_scene(const std::filesystem::path& path) {
 }
 
 SceneResult parse_scene(std::string_view text, const std::string& file,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const FileSource& files) {
   Faults faults(file);
-  auto scene = SceneReader(file, folder, faults).read(text);
+  auto scene = SceneReader(file, folder, files, faults).read(text);
   if (faults.count() > 0) scene = nullptr;
   return {std::move(scene), faults.take()};
 }

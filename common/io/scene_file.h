@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/io/diagnostic.h"
+#include "common/io/file_source.h"
 #include "common/model/scene.h"
 
 namespace accord {
@@ -27,8 +28,9 @@ struct SceneResult {
 SceneResult load_scene(const std::filesystem::path& path);
 
 // As load_scene(), from text that came some other way. `file` stands in messages. Files that the
-// scene names are looked for in `folder`; with an empty one it may name none.
+// scene names are looked for in `folder` of `files`; with an empty one it may name none.
 SceneResult parse_scene(std::string_view text, const std::string& file,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder,
+                        const FileSource& files = file_system());
 
 }  // namespace accord

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <tl/expected.hpp>
 
 #include "common/io/files.h"
@@ -19,8 +18,8 @@ constexpr std::array<std::string_view, 5> kShapes = {"box", "cylinder", "sphere"
                                                      "mesh"};
 constexpr std::string_view kPackage = "package://";
 
-tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference,
-                                                 const fs::path& folder) {
+tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference, const fs::path& folder,
+                                                 const FileSource& files) {
   if (!reference.starts_with(kPackage)) return resolve(reference, folder);
   const std::string_view in_package = reference.substr(kPackage.size());
   const std::size_t slash = in_package.find('/');
@@ -29,9 +28,8 @@ tl::expected<fs::path, std::string> resolve_mesh(std::string_view reference,
   auto here = resolve(rest, folder);
   auto above = resolve(rest, (folder / "..").lexically_normal());
   if (!here || !above) return here;
-  std::error_code error;
-  if (fs::is_regular_file(*here, error)) return here;
-  if (fs::is_regular_file(*above, error)) return above;
+  if (files.is_file(*here)) return here;
+  if (files.is_file(*above)) return above;
   return tl::unexpected("cannot find " + in_quotes(reference) + "; looked for " + in_quotes(rest) +
                         " in this file's folder and in the one above");
 }
@@ -42,7 +40,7 @@ std::optional<Shape> read_mesh(const XmlElement& element, const fs::path& folder
   const auto scale = element.has("scale") ? element.vector("scale", kScale) : Vec3(1, 1, 1);
   const auto reference = element.name("filename");
   if (!reference || !scale) return std::nullopt;
-  const auto path = resolve_mesh(*reference, folder);
+  const auto path = resolve_mesh(*reference, folder, meshes.files());
   if (!path) {
     element.fault(path.error());
     return std::nullopt;

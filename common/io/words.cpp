@@ -45,8 +45,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text, std::size_t max_bytes) {
-  std::string out = "\"";
+std::string printable(std::string_view text, std::size_t max_bytes) {
+  std::string out;
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
     const auto byte = static_cast<unsigned char>(text[0]);
@@ -64,7 +64,11 @@ std::string in_quotes(std::string_view text, std::size_t max_bytes) {
       text.remove_prefix(length);
     }
   }
-  return out + "\"";
+  return out;
+}
+
+std::string in_quotes(std::string_view text, std::size_t max_bytes) {
+  return "\"" + printable(text, max_bytes - 1) + "\"";  // the first quote counts
 }
 
 std::string in_words(double value) {

@@ -9,6 +9,10 @@
 
 namespace accord {
 
+// Safe to print: control characters and what is not UTF-8 escaped, cut with "..." where longer. The
+// dots and the last escape may come on top of `max_bytes`, 6 bytes.
+std::string printable(std::string_view text, std::size_t max_bytes);
+
 // In double quotes, safe to print: control characters escaped, cut with "..." where longer.
 std::string in_quotes(std::string_view text, std::size_t max_bytes = 60);
 
