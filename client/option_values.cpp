@@ -52,7 +52,7 @@ CLI::Validator plain_integer() {
   return {check, ""};
 }
 
-CLI::Validator seconds(double least, double most) {
+CLI::Validator seconds_within(double least, double most) {
   const auto check = [least, most](std::string& text) -> std::string {
     const std::optional<double> value = number_in<double>(text);
     if (value && std::isfinite(*value) && *value >= least && *value <= most) return {};

@@ -14,7 +14,7 @@ namespace accord {
 CLI::Validator plain_integer();
 
 // A finite number from `least` to `most`, both included.
-CLI::Validator seconds(double least, double most);
+CLI::Validator seconds_within(double least, double most);
 
 // The name of a file, or "-" for standard output; not nothing.
 CLI::Validator output_name();

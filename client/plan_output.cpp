@@ -24,7 +24,7 @@ void add_plan_question(CLI::App& command, PlanQuestion& question) {
       ->capture_default_str()
       ->transform(plain_integer());
   command.add_option("-t,--timeout", question.timeout, "Give up after so many seconds")
-      ->check(seconds(1e-3, 1e7));
+      ->check(seconds_within(1e-3, 1e7));
   command
       .add_option("-m,--method", question.method,
                   "arc, or a baseline that puts the whole problem to one solver")

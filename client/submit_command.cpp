@@ -13,7 +13,7 @@
 #include "client/commands.h"
 #include "client/files.h"
 #include "client/fleet/fleet_manager.h"
-#include "client/fleet/scene_request.h"
+#include "client/fleet/request_file.h"
 #include "client/interrupt.h"
 #include "client/option_values.h"
 #include "client/plan_output.h"
@@ -91,7 +91,7 @@ PlanRequest request_of(PlanRequest request, const CommandOptions& options) {
 ExitCode run(CommandOptions& options) {
   const DdsOptions& dds = options.service.resolve();
   refuse_overwriting(options.question.output, {options.question.scene});
-  SceneRequest read = request_for_scene(options.question.scene);
+  RequestFile read = request_for_scene(options.question.scene);
   if (!read.scene) {
     for (const Diagnostic& fault : read.faults) std::cerr << to_string(fault) << "\n";
     return ExitCode::kBadInput;
@@ -137,7 +137,7 @@ void add_submit_command(CLI::App& app, ExitCode& exit_code) {
       ->add_option("--patience", options->patience,
                    "Seconds until a service has to have accepted the request")
       ->capture_default_str()
-      ->check(seconds(0.1, 1e6));
+      ->check(seconds_within(0.1, 1e6));
   options->service.add_to(*command);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -15,7 +15,7 @@
 
 #include "client/engine/planner.h"
 #include "client/fleet/fleet_manager.h"
-#include "client/fleet/scene_request.h"
+#include "client/fleet/request_file.h"
 #include "common/io/plan_file.h"
 #include "common/io/scene_file.h"
 #include "common/transport/fleet/dds_fleet.h"

@@ -11,7 +11,7 @@
 
 namespace accord {
 
-struct SceneRequest {
+struct RequestFile {
   PlanRequest request;                 // its scene and the files that it names; no id, no options
   std::shared_ptr<const Scene> scene;  // null where there is a fault
   std::vector<Diagnostic> faults;
@@ -19,6 +19,6 @@ struct SceneRequest {
 
 // Reads the scene as load_scene() does, so that what is wrong with it is said before anything is
 // sent. Thread safe.
-SceneRequest request_for_scene(const std::string& path);
+RequestFile request_for_scene(const std::string& path);
 
 }  // namespace accord

@@ -1,4 +1,4 @@
-#include "client/fleet/scene_request.h"
+#include "client/fleet/request_file.h"
 
 #include <filesystem>
 #include <map>
@@ -43,8 +43,8 @@ class NotedFiles final : public FileSource {
 
 }  // namespace
 
-SceneRequest request_for_scene(const std::string& path) {
-  SceneRequest out;
+RequestFile request_for_scene(const std::string& path) {
+  RequestFile out;
   auto text = read_file(path, limits::kSceneBytes);
   if (!text) {
     out.faults.push_back({path, 0, "", text.error()});
