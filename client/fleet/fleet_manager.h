@@ -63,7 +63,8 @@ class FleetManager {
   // The next event; waits for it until the timeout ends.
   std::optional<Event> next(Clock::duration timeout);
 
-  std::size_t on_their_way() const { return waiting_.size(); }
+  // Whether next() has something to tell, now or later.
+  bool is_waiting() const { return !waiting_.empty() || !events_.empty(); }
 
   // Submits one request and waits for its end. `on_state` is called as it comes along. Where
   // `stop` becomes true, it is cancelled.

@@ -37,7 +37,7 @@ class Round {
   std::map<std::string, std::variant<RequestState, Plan, NoAnswer>> run() {
     std::map<std::string, std::variant<RequestState, Plan, NoAnswer>> ends;
     const auto give_up = Clock::now() + 90s;
-    while (manager_.on_their_way() > 0 && Clock::now() < give_up) {
+    while (manager_.is_waiting() && Clock::now() < give_up) {
       auto event = manager_.next(10ms);
       if (event && !std::holds_alternative<RequestState>(event->what)) {
         ends.insert_or_assign(event->id, std::move(event->what));
@@ -94,11 +94,17 @@ class Round {
         break;
       default:
         story_.emplace_back("SIGTERM to the coordinator");
-        service_.coordinator().signal(SIGTERM);
-        EXPECT_EQ(service_.coordinator().wait(), 0);
+        end_coordinator();
         service_.start_coordinator();
         break;
     }
+  }
+  void end_coordinator() {
+    service_.coordinator().signal(SIGTERM);
+    const int status = service_.coordinator().wait();
+    // One that has only just begun is not there yet to be asked.
+    const bool is_too_early = WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM;
+    EXPECT_TRUE(status == 0 || is_too_early) << status;
   }
   void replace(std::list<testing::ChildProcess>::iterator victim) {
     if (stopped_ == &*victim) stopped_ = nullptr;
