@@ -42,7 +42,7 @@ class ForemanTest : public ::testing::Test {
     crew_->outcome = outcome_;
     crew_->next = next_;
     foreman_.emplace(std::move(crew), kSolvers);
-    return foreman_->solve(subproblems, stop_);
+    return foreman_->solve(subproblems, stop_, foresight_);
   }
 
   std::vector<std::string> begun_ahead() const {
@@ -56,6 +56,7 @@ class ForemanTest : public ::testing::Test {
   std::atomic<bool> stop_{false};
   std::function<Attempted(const Attempt&)> outcome_ = [](const Attempt&) { return Attempted{}; };
   std::function<std::size_t(std::size_t)> next_ = [](std::size_t) { return 0U; };
+  Foresight foresight_;
   ScriptedCrew* crew_ = nullptr;
   std::optional<Foreman> foreman_;
 };
@@ -162,7 +163,7 @@ TEST_F(ForemanTest, LearnsWhichOnesTakeLong) {
     return out;
   };
   solve(4, {team(1, 2, 2)});
-  foreman_->solve({team(2, 2, 2)}, stop_);
+  foreman_->solve({team(2, 2, 2)}, stop_, {});
   EXPECT_EQ(crew_->begun.size(), 4U);
 }
 
@@ -176,7 +177,7 @@ TEST_F(ForemanTest, AsksOnlySolversThatAreMeantForIt) {
 
 TEST_F(ForemanTest, AsksNobodyWhereNoSolverIsMeantForIt) {
   Foreman foreman(std::make_unique<ScriptedCrew>(2), {"lockstep-query"});
-  EXPECT_FALSE(foreman.solve({team(1)}, stop_).front().solved);
+  EXPECT_FALSE(foreman.solve({team(1)}, stop_, {}).front().solved);
 }
 
 TEST_F(ForemanTest, ThrowsWhatNobodyCouldCarryOutIfItIsNeeded) {
