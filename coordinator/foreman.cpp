@@ -76,9 +76,8 @@ std::unique_ptr<Ladder> Foreman::make_ladder(const Subproblem& subproblem) const
 }
 
 std::unique_ptr<Ladder> Foreman::take_ladder(const Subproblem& subproblem, Ladders& from) const {
-  const auto found = std::ranges::find_if(from, [&](const auto& ladder) {
-    return are_identical(*ladder->subproblem(), subproblem);
-  });
+  const auto found = std::ranges::find_if(
+      from, [&](const auto& ladder) { return are_identical(*ladder->subproblem(), subproblem); });
   if (found == from.end()) return make_ladder(subproblem);
   std::unique_ptr<Ladder> ladder = std::move(*found);
   from.erase(found);
@@ -129,9 +128,7 @@ void Foreman::foresee(const Foresight& foresight) {
         return are_identical(*ladder->subproblem(), subproblem);
       });
     };
-    const Likely known = [&](const Subproblem& subproblem) {
-      return likely(subproblem, stale);
-    };
+    const Likely known = [&](const Subproblem& subproblem) { return likely(subproblem, stale); };
     for (const Subproblem& subproblem : foresight(known, kForeseenPerHand * crew_->hands())) {
       if (!is_asked(subproblem)) foreseen_.push_back(take_ladder(subproblem, stale));
     }

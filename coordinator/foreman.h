@@ -1,9 +1,8 @@
 // The workforce that planning sees, whoever works: takes subproblems up the levels of the hierarchy
 // with the hands of a crew. Hands that would idle try levels ahead of need, and then what planning
-// foresees that it will ask for. What comes back is what SolverHierarchy gives, one subproblem after
-// another (see Ladder): all that was done ahead is to have the answer, or a part of it, at hand when
-// the very same subproblem is asked for.
-// Not thread safe.
+// foresees that it will ask for. What comes back is what SolverHierarchy gives, one subproblem
+// after another (see Ladder): all that was done ahead is to have the answer, or a part of it, at
+// hand when the very same subproblem is asked for. Not thread safe.
 #pragma once
 
 #include <map>

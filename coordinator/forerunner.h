@@ -24,8 +24,8 @@ class Forerunner {
         adaptation_(adaptation) {}
 
   // What ARC may ask for after these jobs, soonest first: at most `most` subproblems of which
-  // nothing is known, and those that led to them. `are_known`: the jobs have their resolutions; else
-  // these are what is likely.
+  // nothing is known, and those that led to them. `are_known`: the jobs have their resolutions;
+  // else these are what is likely.
   std::vector<Subproblem> look_ahead(const std::vector<Job>& jobs, bool are_known,
                                      const Likely& likely, std::size_t most) const;
 

@@ -59,9 +59,9 @@ std::vector<RobotId> hit_by(const CollisionWorld& world, const Subproblem& subpr
   for (const Outsider& outsider : subproblem.outsiders) {
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const auto hit = earliest_contact(world, tasks[i].robot, without.paths[i], outsider.robot,
-                                        outsider.path, subproblem.from,
-                                        std::min({first, without.end, outsider.until}));
+      const auto hit =
+          earliest_contact(world, tasks[i].robot, without.paths[i], outsider.robot, outsider.path,
+                           subproblem.from, std::min({first, without.end, outsider.until}));
       if (hit) first = std::min(first, *hit);
     }
     if (first < std::numeric_limits<double>::infinity()) hits.emplace_back(first, outsider.robot);

@@ -1,6 +1,5 @@
 #include "tests/bench/scalability/cost_book.h"
 
-#include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_hash.h"
 #include "common/io/wire/subproblem_codec.h"
 #include "tests/bench/scalability/cpu_clock.h"
@@ -8,8 +7,7 @@
 namespace accord::bench {
 
 const Entry& CostBook::of(const Attempt& attempt) {
-  const Bytes bytes = encode_subproblem(*attempt.subproblem);
-  const SceneHash hash = hash_of(bytes);
+  const SceneHash hash = hash_of(encode_subproblem(*attempt.subproblem));
   Key key{attempt.solvers, {hash.bytes.begin(), hash.bytes.end()}};
   const auto [place, is_new] = entries_.try_emplace(std::move(key));
   Entry& entry = place->second;
@@ -18,8 +16,6 @@ const Entry& CostBook::of(const Attempt& attempt) {
   const double begin = cpu_seconds();
   entry.resolution = worker_.solve(*attempt.subproblem, attempt.solvers, stop);
   entry.seconds = cpu_seconds() - begin;
-  entry.request = bytes.size();
-  entry.response = encode_resolution(entry.resolution).size();
   return entry;
 }
 

@@ -3,7 +3,7 @@
 // Not thread safe.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,9 +16,7 @@ namespace accord::bench {
 
 struct Entry {
   Resolution resolution;
-  double seconds = 0;        // of processor time
-  std::size_t request = 0;   // bytes of the subproblem
-  std::size_t response = 0;  // bytes of the resolution
+  double seconds = 0;  // of processor time
 };
 
 class CostBook {

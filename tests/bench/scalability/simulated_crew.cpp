@@ -88,10 +88,7 @@ void SimulatedCrew::happen(const Event& event) {
     case Event::Kind::kEnds: {
       if (run.begun < 0 || run.end_event != event.order) return;  // was laid down meanwhile
       lay_down(run, event.time);
-      const Entry& entry = book_.of(run.attempt);
-      const auto bytes = static_cast<double>(entry.request + entry.response);
-      tell(event.time + cluster_.delay + bytes * cluster_.seconds_a_byte, Event::Kind::kIsBack,
-           event.ticket);
+      tell(event.time + cluster_.delay, Event::Kind::kIsBack, event.ticket);
       run.begun = -2;  // is neither worked on nor waits
       return give_out(event.time);
     }

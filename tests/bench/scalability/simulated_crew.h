@@ -1,7 +1,7 @@
 // A crew of any number of hands in virtual time: attempts take what the book says, messages what
-// they are said to, and what the caller does between two calls of wait() takes what it costs on this
-// machine. A discrete-event simulation, so that 64 hands can be seen to work on two cores.
-// Not thread safe.
+// they are said to, and what the caller does between two calls of wait() takes what it costs on
+// this machine. A discrete-event simulation, so that 64 hands can be seen to work on two cores. Not
+// thread safe.
 #pragma once
 
 #include <deque>
@@ -17,8 +17,7 @@ namespace accord::bench {
 
 struct Cluster {
   std::size_t hands = 1;
-  double delay = 0;           // s: of a message, one way
-  double seconds_a_byte = 0;  // of processor time, to encode and decode, on the caller's side
+  double delay = 0;             // s: of a message, one way
   bool caller_is_free = false;  // what the caller does takes no time: to see what that would change
 };
 
@@ -60,7 +59,7 @@ class SimulatedCrew final : public Crew {
   };
   struct Run {
     Attempt attempt;
-    double begun = -1;           // s: when a hand took it up; less than 0: it waits
+    double begun = -1;            // s: when a hand took it up; less than 0: it waits
     std::uint64_t end_event = 0;  // its end's order: an earlier run of it is over
   };
 
