@@ -20,6 +20,8 @@ class DirectPort final : public TaskPort {
   // Bus and board must outlive this.
   DirectPort(Bus& bus, TaskBoard& board, RequestId request, Turn turn);
   ~DirectPort() override;
+  DirectPort(const DirectPort&) = delete;
+  DirectPort& operator=(const DirectPort&) = delete;
 
   void open(RequestWork work) override;
   TaskId next_id() override { return next_id_++; }

@@ -110,13 +110,14 @@ class Cluster {
     return *workers_.back();
   }
 
-  std::vector<Trajectory> plan(const std::shared_ptr<const Scene>& scene) {
+  // The bytes of the plan.
+  std::string plan(const std::shared_ptr<const Scene>& scene) {
     const auto one_turn = [this](Bus&, std::optional<Time> deadline) { return turn(deadline); };
-    const CollisionWorld world(scene, kDetectionMargin);
-    Foreman workforce(std::make_unique<RemoteCrew>(
-                          std::make_unique<DirectPort>(*bus_, board_, 1, one_turn), world),
-                      default_solver_names());
-    return testing::planned_paths(scene, workforce);
+    return testing::planned_bytes(
+        scene, [&](const CollisionWorld&, const CollisionWorld& detection) {
+          auto port = std::make_unique<DirectPort>(*bus_, board_, 1, one_turn);
+          return std::make_unique<RemoteCrew>(std::move(port), detection);
+        });
   }
 
   const TaskBoard& board() const { return board_; }
@@ -215,8 +216,8 @@ class Clusters : public ::testing::TestWithParam<const char*> {};
 TEST_P(Clusters, PlanAsOneProcessDoesWhateverTheNumberOfWorkers) {
   const auto scene = testing::example_scene(GetParam());
   ASSERT_NE(scene, nullptr);
-  const auto expected = testing::paths_planned_in_process(scene);
-  for (const int workers : {1, 2, 4, 9}) {
+  const auto expected = testing::bytes_planned_in_process(scene);
+  for (const int workers : {1, 2, 3, 5, 9}) {
     Cluster cluster(1, false);
     for (int i = 0; i < workers; ++i) cluster.start_worker();
     EXPECT_EQ(cluster.plan(scene), expected) << workers << " workers";
@@ -226,7 +227,7 @@ TEST_P(Clusters, PlanAsOneProcessDoesWhateverTheNumberOfWorkers) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Clusters,
                          ::testing::Values("peer-inlet", "low-mobile-16", "adaptive-mobile",
-                                           "mixed-cell", "rack-drones"));
+                                           "mixed-cell", "rack-drones", "high-manipulator-4"));
 
 // A worker that returns what does not hold, once it can, in the scene that it is in.
 class Liar {
@@ -303,10 +304,10 @@ TEST(SufferingClusters, PlanAsOnAQuietDay) {
   const char* told = std::getenv("ACCORD_CLUSTERS");
   const std::uint64_t clusters = told != nullptr ? std::strtoull(told, nullptr, 10) : 150;
   std::uint64_t lost = 0, reassigned = 0, failures = 0;
-  for (const char* name : {"peer-parallel-008", "low-mobile-08", "adaptive-mobile"}) {
+  for (const char* name : {"peer-parallel-008", "low-mobile-08", "adaptive-mobile", "mixed-cell"}) {
     const auto scene = testing::example_scene(name);
-    const auto expected = testing::paths_planned_in_process(scene);
-    for (std::uint64_t seed = 1; seed <= clusters / 3; ++seed) {
+    const auto expected = testing::bytes_planned_in_process(scene);
+    for (std::uint64_t seed = 1; seed <= clusters / 4; ++seed) {
       Cluster cluster(seed, true);
       for (int i = 0; i < 3; ++i) cluster.start_worker();
       try {

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <stdexcept>
 
+#include "common/planning/identity.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/coordinator/scripted_workforce.h"
 
@@ -49,6 +51,64 @@ TEST_F(ArcTest, HasConflictsThatShareNoRobotsSolvedInOneRound) {
   workforce_.team = [](const Subproblem& s) { return ScriptedWorkforce::solved(s, 2); };
   EXPECT_EQ(run(crossings(4)).status, PlanStatus::kSolved);
   EXPECT_EQ(workforce_.rounds, (std::vector<std::size_t>{4}));
+}
+
+// Asks for foresight, knowing what will become of everything, before it does anything.
+class Foreseeing final : public Workforce {
+ public:
+  explicit Foreseeing(Workforce& workforce) : workforce_(workforce) {}
+
+  std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
+                                const std::atomic<bool>& stop,
+                                const Foresight& foresight) override {
+    for (const Subproblem& subproblem : subproblems) {
+      const bool was_foreseen = std::ranges::any_of(
+          foreseen_, [&](const Subproblem& one) { return are_identical(one, subproblem); });
+      if (foresaw_) ++(was_foreseen ? right : wrong);
+    }
+    const Likely likely = [&](const Subproblem& subproblem) {
+      return std::optional(workforce_.solve({subproblem}, stop, {}).front());
+    };
+    foresaw_ = static_cast<bool>(foresight);
+    if (foresight) foreseen_ = foresight(likely, 1000);
+    return workforce_.solve(subproblems, stop, {});
+  }
+
+  int right = 0, wrong = 0;
+
+ private:
+  Workforce& workforce_;
+  bool foresaw_ = false;
+  std::vector<Subproblem> foreseen_;
+};
+
+TEST_F(ArcTest, ForeseesAllThatItAsksForWhereItKnowsWhatIsLikely) {
+  // Every other team is exhausted, the others wait a little.
+  workforce_.team = [](const Subproblem& s) {
+    return s.seed % 2 == 0 ? Resolution{} : ScriptedWorkforce::solved(s, 1);
+  };
+  testing::SceneBuilder builder(-40, -40, 40, 40);
+  for (int i = 0; i < 6; ++i) {
+    const double at = 3.0 * i - 8;
+    builder.disk(0.5, {-20, at}, {20, at}).disk(0.5, {at, -20}, {at, 20});
+  }
+  const auto scene = builder.build();
+  const CollisionWorld planning(scene, kPlanningMargin), detection(scene, 0.5 * kPlanningMargin);
+  Foreseeing foreseeing(workforce_);
+  Arc arc(planning, detection, 1, foreseeing, stop_, nullptr);
+  arc.run();
+  EXPECT_GT(foreseeing.right, 20);
+  EXPECT_EQ(foreseeing.wrong, 0);
+  // And looking ahead has changed nothing.
+  Arc plain(planning, detection, 1, workforce_, stop_, nullptr);
+  plain.run();
+  EXPECT_EQ(arc.statistics().conflicts_found, plain.statistics().conflicts_found);
+  EXPECT_EQ(arc.statistics().pair_checks, plain.statistics().pair_checks);
+  EXPECT_EQ(arc.statistics().distance_queries, plain.statistics().distance_queries);
+  EXPECT_EQ(arc.statistics().rounds, plain.statistics().rounds);
+  for (std::uint32_t id = 0; id < 12; ++id) {
+    EXPECT_EQ(arc.schedule().path({id}), plain.schedule().path({id}));
+  }
 }
 
 TEST_F(ArcTest, NamesTheRobotThatHasNoWayOnItsOwn) {
