@@ -132,7 +132,7 @@ void PlanningThreads::plan() {
       continue;
     } catch (const TaskFailure& failure) {
       planned.plan = failed(
-          running.job, failure.what() + kept_where(settings_.quarantine, running.job.id, failure));
+          running.job, failure.what() + keep_task(settings_.quarantine, running.job.id, failure));
     } catch (const std::bad_alloc&) {
       planned.plan = failed(running.job, "the service has not enough memory");
     } catch (const std::exception& bug) {

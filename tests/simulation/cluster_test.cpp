@@ -292,7 +292,17 @@ TEST(ClustersWithWrongSolvers, BlameTheTaskOnceTwoReturnTheSame) {
   Cluster cluster(1, false);
   Liar same_solver(scene, testing::touches_its_team);
   for (int i = 0; i < 4; ++i) cluster.start_worker().lie = std::ref(same_solver);
-  EXPECT_THROW(cluster.plan(scene), TaskFailure);
+  try {
+    cluster.plan(scene);
+    FAIL() << "planned";
+  } catch (const TaskFailure& failure) {
+    EXPECT_THAT(failure.what(), ::testing::HasSubstr("come too close to each other"));
+    const auto task = decode_task_record(encode_task_record(failure.record()));
+    ASSERT_TRUE(task) << task.error();
+    EXPECT_THAT(default_solver_names(), ::testing::IsSupersetOf(task->solvers));
+    EXPECT_EQ(task->why, failure.what());
+    EXPECT_EQ(task->subproblem.tasks.size(), 2U);
+  }
   EXPECT_EQ(same_solver.lies, 2U);
   const auto is_distrusted = [](const auto& entry) {
     return entry.second.standing == WorkerRecord::Standing::kDistrusted;
