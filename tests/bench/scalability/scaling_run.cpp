@@ -110,9 +110,7 @@ class Service {
     const auto began = Clock::now();
     const double cpu = cpu_seconds();
     const Plan plan = plan_with(
-        [this](const CollisionWorld&) {
-          return std::make_unique<RemoteCrew>(make_port(), scene_);
-        },
+        [this](const CollisionWorld&) { return std::make_unique<RemoteCrew>(make_port(), scene_); },
         scene_, options);
     const double wall = seconds(Clock::now() - began);
     const double coordinator = cpu_seconds() - cpu;
