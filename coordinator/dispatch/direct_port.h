@@ -39,6 +39,8 @@ class DirectPort final : public TaskPort {
   void turn();
 
  private:
+  void exchange();
+
   Bus& bus_;
   TaskBoard& board_;
   RequestId request_;

@@ -40,11 +40,11 @@ struct Bench {
     const PlanningStatistics& statistics = arc.statistics();
     return fmt::format(
         R"({{"hands": {}, "caller_is_free": {}, "solved": {}, "seconds": {:.6f}, "caller": {:.6f}, )"
-        R"("busy": {:.6f}, "wasted": {:.6f}, "longest": {:.6f}, "attempts": {}, "ahead": {}, )"
+        R"("busy": {:.6f}, "longest": {:.6f}, "attempts": {}, "ahead": {}, )"
         R"("rounds": {}, "subproblems": {}}})",
         cluster.hands, cluster.caller_is_free, outcome.status == PlanStatus::kSolved, end,
-        account.caller, account.busy, account.wasted, account.longest, account.attempts,
-        account.ahead, statistics.rounds, statistics.subproblems);
+        account.caller, account.busy, account.longest, account.attempts, account.ahead,
+        statistics.rounds, statistics.subproblems);
   }
 
   std::shared_ptr<const Scene> scene;

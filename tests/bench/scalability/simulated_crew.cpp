@@ -79,23 +79,20 @@ void SimulatedCrew::happen(const Event& event) {
       run.attempt.is_ahead = false;
       return give_out(event.time);
     case Event::Kind::kIsDropped:
-      if (run.begun >= 0) {
-        account_.wasted += event.time - run.begun;
-        lay_down(run, event.time);
-      }
+      if (run.stage == Run::Stage::kIsWorkedOn) lay_down(run, event.time);
       runs_.erase(found);
       return give_out(event.time);
     case Event::Kind::kEnds: {
-      if (run.begun < 0 || run.end_event != event.order) return;  // was laid down meanwhile
+      // It may have been laid down meanwhile, and taken up again.
+      if (run.stage != Run::Stage::kIsWorkedOn || run.end_event != event.order) return;
       lay_down(run, event.time);
       tell(event.time + cluster_.delay, Event::Kind::kIsBack, event.ticket);
-      run.begun = -2;  // is neither worked on nor waits
+      run.stage = Run::Stage::kIsDone;
       return give_out(event.time);
     }
     case Event::Kind::kIsBack: {
       const Entry& entry = book_.of(run.attempt);
       if (dropped_.contains(event.ticket)) {
-        account_.wasted += entry.seconds;
         runs_.erase(found);
         return;
       }
@@ -111,13 +108,13 @@ void SimulatedCrew::happen(const Event& event) {
 // Its hand is free again.
 void SimulatedCrew::lay_down(Run& run, double time) {
   account_.busy += time - run.begun;
-  run.begun = -1;
+  run.stage = Run::Stage::kWaits;
   --busy_hands_;
 }
 
 std::optional<Ticket> SimulatedCrew::next_waiting(bool is_ahead) const {
   for (const auto& [ticket, run] : runs_) {
-    if (run.begun == -1 && run.attempt.is_ahead == is_ahead) return ticket;
+    if (run.stage == Run::Stage::kWaits && run.attempt.is_ahead == is_ahead) return ticket;
   }
   return std::nullopt;
 }
@@ -129,6 +126,7 @@ void SimulatedCrew::give_out(double time) {
     if (!next) next = next_waiting(true);
     if (!next) return;
     Run& run = runs_.at(*next);
+    run.stage = Run::Stage::kIsWorkedOn;
     run.begun = time;
     ++busy_hands_;
     run.end_event = order_;
@@ -139,14 +137,13 @@ void SimulatedCrew::give_out(double time) {
 void SimulatedCrew::make_way(double time) {
   std::size_t needed = 0;
   for (const auto& [ticket, run] : runs_) {
-    needed += run.begun == -1 && !run.attempt.is_ahead ? 1 : 0;
+    needed += run.stage == Run::Stage::kWaits && !run.attempt.is_ahead ? 1 : 0;
   }
   while (needed > cluster_.hands - busy_hands_) {
     const auto last = std::ranges::find_if(runs_.rbegin(), runs_.rend(), [](const auto& entry) {
-      return entry.second.begun >= 0 && entry.second.attempt.is_ahead;
+      return entry.second.stage == Run::Stage::kIsWorkedOn && entry.second.attempt.is_ahead;
     });
     if (last == runs_.rend()) return;
-    account_.wasted += time - last->second.begun;
     lay_down(last->second, time);
   }
 }

@@ -40,7 +40,6 @@ class SimulatedCrew final : public Crew {
     std::size_t ahead = 0;  // of these, begun ahead of need
     double caller = 0;      // s: what the caller was busy
     double busy = 0;        // s: all hands together
-    double wasted = 0;      // of it, on what was not asked for in the end
     double longest = 0;     // s: an attempt
   };
   const Account& account() const { return account_; }
@@ -59,7 +58,8 @@ class SimulatedCrew final : public Crew {
   };
   struct Run {
     Attempt attempt;
-    double begun = -1;            // s: when a hand took it up; less than 0: it waits
+    enum class Stage { kWaits, kIsWorkedOn, kIsDone } stage = Stage::kWaits;
+    double begun = 0;             // s: when a hand took it up
     std::uint64_t end_event = 0;  // its end's order: an earlier run of it is over
   };
 
