@@ -170,7 +170,7 @@ void add_replay_command(CLI::App& app, ExitCode& exit_code) {
       "replay", "Try a task again that a service has kept because nobody could solve it");
   command->add_option("FILE", options->file, "Recorded task")->required();
   command->add_option("-t,--timeout", options->timeout, "Give up after so many seconds")
-      ->check(seconds(1e-3, 1e7));
+      ->check(seconds_within(1e-3, 1e7));
   const std::map<std::string, LogLevel> levels(kLogLevels.begin(), kLogLevels.end());
   command
       ->add_option("--log", options->log,
