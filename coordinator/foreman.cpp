@@ -180,8 +180,8 @@ void Foreman::note(Attempted attempted) {
 void Foreman::drop(const Ladders& ladders) {
   std::vector<Ticket> tickets;
   for (const auto& [ticket, under_way] : under_way_) {
-    const auto is_its = [&](const auto& ladder) { return ladder.get() == under_way.ladder; };
-    if (std::ranges::any_of(ladders, is_its)) tickets.push_back(ticket);
+    const auto its = std::ranges::find(ladders, under_way.ladder, &std::unique_ptr<Ladder>::get);
+    if (its != ladders.end()) tickets.push_back(ticket);
   }
   for (const Ticket ticket : tickets) under_way_.erase(ticket);
   std::erase_if(begun_, [&](const Attempt& attempt) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -142,10 +143,22 @@ TEST_F(ForemanTest, HasWhatItForesawAtHandWhenTheVerySameIsAskedFor) {
   EXPECT_EQ(begun, 6U) << "three levels of each";
   foreman_->solve({team(2)}, stop_, {});
   EXPECT_EQ(crew_->begun.size(), begun) << "all of it was under way";
+}
+
+// Not even what differs by a sign of zero.
+TEST_F(ForemanTest, TakesNothingElseForWhatIsAskedFor) {
+  outcome_ = [](const Attempt& attempt) {
+    Attempted out;
+    out.seconds = 0.1;
+    out.resolution.solved = true;
+    out.resolution.solver = std::signbit(attempt.subproblem->from) ? "minus" : "plus";
+    return out;
+  };
+  foresight_ = [](const Likely&, std::size_t) { return std::vector<Subproblem>{team(2)}; };
+  solve(6, {team(1)});
   Subproblem other = team(2);
-  other.horizon = 1;
-  foreman_->solve({other}, stop_, {});
-  EXPECT_GT(crew_->begun.size(), begun) << "this one is not the same";
+  other.from = -0.0;
+  EXPECT_EQ(foreman_->solve({other}, stop_, {}).front().solver, "minus");
 }
 
 TEST_F(ForemanTest, DropsWhatIsNotForeseenAnyMore) {
