@@ -100,7 +100,7 @@ void LocalCrew::make_way() {
 
 bool LocalCrew::is_for_the_caller() const {
   if (threads_.empty()) return true;
-  if (!running_.empty() || !ahead_.empty()) return false;
+  if (!running_.empty() || !ahead_.empty() || !ended_.empty()) return false;
   double seconds = 0;
   for (const Attempt& attempt : needed_) seconds += attempt.seconds;
   return seconds < (needed_.size() == 1 ? kWorthWatching : kWorthHandingOver);
