@@ -29,10 +29,12 @@ std::optional<FinishedTask> DirectPort::wait(const std::atomic<bool>& stop) {
 }
 
 void DirectPort::turn() {
-  while (const auto event = bus_.take()) board_.on_event(*event, now_);
-  board_.on_time(now_);
-  while (const auto out = board_.next_outgoing(now_)) {
-    board_.on_published(out->to, bus_.publish(out->to, out->message), now_);
+  // The board's clock has run on since the last request's port.
+  const TaskBoard::Time now = now_ ? *now_ : pass_(bus_, TaskBoard::Time(0));
+  while (const auto event = bus_.take()) board_.on_event(*event, now);
+  board_.on_time(now);
+  while (const auto out = board_.next_outgoing(now)) {
+    board_.on_published(out->to, bus_.publish(out->to, out->message), now);
   }
   now_ = pass_(bus_, board_.next_deadline());
 }
