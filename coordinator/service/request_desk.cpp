@@ -170,7 +170,7 @@ void RequestDesk::reply_again(const std::string& id, Request& request, Now now) 
   if (!request.is_accepted) return;  // it is still to come
   publish(RequestReply{id, true, Rejection::kNone, "", ""});
   say_state(id, request, now);
-  if (request.stage == Stage::kFinished) publish(FinishedPlan{id, request.plan});
+  if (request.is_told) publish(FinishedPlan{id, request.plan});
 }
 
 void RequestDesk::resend(const std::string& id, Now now) {

@@ -145,6 +145,7 @@ class RequestDesk {
     RequestState state;
     Plan plan;  // once finished
     std::string json;
+    bool is_told = false;  // how it has ended
   };
   struct Kept {  // in the journal
     SceneHash content;
@@ -166,6 +167,7 @@ class RequestDesk {
   void end(const std::string& id, Request& request, PlanStatus status, std::string message,
            Now now);
   void finish(const std::string& id, Request& request, Now now);
+  void tell(const std::string& id, Request& request, Now now);
   void drop(Requests::iterator request);
   void say_state(const std::string& id, Request& request, Now now);
   void forget_old(Now now);

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,13 +23,34 @@
 
 namespace accord::testing {
 
+// What jobs have come to, whichever worker solved them first: what comes back depends on the job
+// alone, so that a campaign need not solve it a thousand times.
+class SolvedJobs {
+ public:
+  ResultItem solve(const SceneShelf& shelf, const TaskDesk::Job& job) {
+    auto [known, is_new] = results_.try_emplace({job.scene, job.hierarchy, job.subproblem});
+    if (is_new) known->second = shelf.solve(job, never_);
+    ResultItem result = known->second;
+    if (result.outcome != ResultItem::Outcome::kDone) results_.erase(known);
+    return result;
+  }
+
+ private:
+  const std::atomic<bool> never_{false};
+  std::map<std::tuple<SceneHash, Bytes, Bytes>, ResultItem> results_;
+};
+
 // A worker process with its loop and its threads, on the network's clock.
 class SimulatedWorker {
  public:
   using Time = Bus::Duration;
 
-  SimulatedWorker(SimulatedNetwork& network, std::uint64_t seed, std::uint32_t protocol)
-      : bus_(network.join(Role::kWorker, protocol)), desk_(settings(protocol)), random_(seed) {}
+  SimulatedWorker(SimulatedNetwork& network, std::uint64_t seed, std::uint32_t protocol,
+                  SolvedJobs& solved)
+      : bus_(network.join(Role::kWorker, protocol)),
+        desk_(settings(protocol)),
+        random_(seed),
+        solved_(solved) {}
 
   EndpointId id() const { return bus_->self(); }
   bool dead = false;
@@ -55,7 +78,7 @@ class SimulatedWorker {
         ++run;
         continue;
       }
-      ResultItem result = shelf_.solve(run->job, stop_);
+      ResultItem result = solved_.solve(shelf_, run->job);
       result.seconds = run->took.count();  // not what it took here, which no seed repeats
       if (lie && !result.resolution.empty()) lie(run->job, result.resolution);
       desk_.on_ended(run->job, std::move(result));
@@ -91,7 +114,7 @@ class SimulatedWorker {
   TaskDesk desk_;
   SceneShelf shelf_;
   RandomStream random_;
-  std::atomic<bool> stop_{false};
+  SolvedJobs& solved_;
   std::list<Run> running_;
 };
 
@@ -99,14 +122,17 @@ class SimulatedCluster {
  public:
   using Time = Bus::Duration;
 
-  explicit SimulatedCluster(std::uint64_t seed) : network_(seed), random_(seed) {}
+  // `solved` may be shared with other clusters, and must outlive this; null: it is this one's own.
+  explicit SimulatedCluster(std::uint64_t seed, SolvedJobs* solved = nullptr)
+      : network_(seed), random_(seed), solved_(solved != nullptr ? *solved : own_solved_) {}
 
   SimulatedNetwork& network() { return network_; }
   Time now() const { return network_.now(); }
 
   SimulatedWorker& start_worker(std::uint32_t protocol = kProtocol) {
     const std::uint64_t seed = random_.below(1 << 30);
-    return *workers_.emplace_back(std::make_unique<SimulatedWorker>(network_, seed, protocol));
+    return *workers_.emplace_back(
+        std::make_unique<SimulatedWorker>(network_, seed, protocol, solved_));
   }
 
   // All workers do what is due. Then the clock moves on: to when something happens next, or to the
@@ -189,6 +215,8 @@ class SimulatedCluster {
 
   SimulatedNetwork network_;
   RandomStream random_;
+  SolvedJobs own_solved_;
+  SolvedJobs& solved_;
   std::vector<std::unique_ptr<SimulatedWorker>> workers_;
 };
 

@@ -324,6 +324,37 @@ TEST_F(RequestDeskTest, StopsARequestThatIsBeingPlanned) {
   EXPECT_EQ(replies_.back().reason, Rejection::kUnknownRequest);
 }
 
+// Else a crash in between would have it planned after all.
+TEST_F(RequestDeskTest, SaysThatARequestIsCancelledOnceThatIsWritten) {
+  open();
+  submit("a");
+  disk_is_slow_ = true;
+  cancel("a");
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("a", cancelled);
+  ask_again("a");
+  EXPECT_THAT(plans_, IsEmpty());
+  EXPECT_NE(states_.back().phase, RequestPhase::kFinished);
+  write();
+  settle();
+  ASSERT_THAT(plans_, SizeIs(1));
+  EXPECT_EQ(states_.back().phase, RequestPhase::kFinished);
+  EXPECT_EQ((*journal_.find("a"))->outcome->status, PlanStatus::kCancelled);
+}
+
+TEST_F(RequestDeskTest, SaysThatARequestIsCancelledWhereThatCannotBeWritten) {
+  open();
+  submit("a");
+  submit("b");
+  journal_.fail_next_writes(1);
+  cancel("b");
+  ASSERT_THAT(plans_, SizeIs(1));
+  pass(std::chrono::milliseconds(1500));
+  EXPECT_THAT(plans_, SizeIs(1)) << "it was said already";
+  EXPECT_TRUE((*journal_.find("b"))->outcome);
+}
+
 TEST_F(RequestDeskTest, CountsADeadlineFromItsAcceptance) {
   RequestDesk::Settings settings;
   settings.planning = 1;
@@ -379,6 +410,22 @@ TEST_F(RequestDeskTest, LeavesWhatItDoesNotFinishForTheNextOneWhenItIsDrained) {
   EXPECT_THAT(plans_, IsEmpty());
   EXPECT_TRUE(desk_->is_done());
   EXPECT_EQ(journal_.unfinished()->size(), 2U);
+}
+
+// Who was told "unknown" would submit it again, and be told that nothing is accepted any more.
+TEST_F(RequestDeskTest, StillKnowsWhatItLeavesForTheNextOne) {
+  open();
+  submit("a");
+  desk_->drain(now_);
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("a", cancelled);
+  EXPECT_TRUE(desk_->is_done());
+  begun_.clear();
+  ask_again("a");
+  EXPECT_TRUE(replies_.back().accepted);
+  EXPECT_EQ(states_.back().phase, RequestPhase::kQueued);
+  EXPECT_THAT(begun_, IsEmpty());
 }
 
 TEST_F(RequestDeskTest, EndsEverythingWhenItIsDrainedAndTheJournalDoesNotOutliveIt) {
