@@ -17,11 +17,20 @@ void ServiceWitness::expect(const PlanRequest& request, std::string plan) {
   plans_[request_hash(request)] = std::move(plan);
 }
 
+void ServiceWitness::on_begun() {
+  in_use_.reset();
+  under_way_.clear();
+  to_cancel_.clear();
+  const auto unfinished = journal_.unfinished();
+  for (const JournalEntry& entry : *unfinished) under_way_.insert(entry.id);
+}
+
 void ServiceWitness::on_taken(const FleetRequest& request) {
   EXPECT_FALSE(in_use_) << *in_use_ << ": other content under its id was not refused";
   in_use_.reset();
   if (const auto* cancel = std::get_if<CancelRequest>(&request)) {
     asked_to_cancel_.insert(cancel->id);
+    if (under_way_.contains(cancel->id)) to_cancel_.insert(cancel->id);
   } else if (const auto* plan = std::get_if<PlanRequest>(&request)) {
     const auto entry = entry_of(plan->id);
     if (entry && entry->content != request_hash(*plan)) in_use_ = plan->id;
@@ -36,6 +45,8 @@ void ServiceWitness::on_said(const FleetNews& news) {
   } else if (const auto* finished = std::get_if<FinishedPlan>(&news)) {
     check_outcome(finished->id, finished->plan);
     const bool is_plan = finished->plan.status == PlanStatus::kSolved;
+    under_way_.erase(finished->id);
+    EXPECT_FALSE(is_plan && to_cancel_.contains(finished->id)) << finished->id << " went on";
     const Ending ending{is_plan, canonical_bytes(finished->plan)};
     const auto [said, is_first] = endings_.emplace(finished->id, ending);
     if (is_first || said->second == ending) return;
@@ -56,6 +67,7 @@ void ServiceWitness::on_reply(const RequestReply& reply) {
     return;
   }
   EXPECT_EQ(reply.reason, Rejection::kNone);
+  if (!endings_.contains(reply.id)) under_way_.insert(reply.id);
   EXPECT_TRUE(entry_of(reply.id)) << reply.id << " was accepted before it was written";
 }
 

@@ -30,8 +30,8 @@ class ServiceWitness {
   void on_written(const RequestDesk::Accept& work, const std::string& fault);
   void on_written(const RequestDesk::Finish& work, const std::string& fault);
 
-  // Whatever it was about to say.
-  void on_killed() { in_use_.reset(); }
+  // A coordinator has taken up what the journal holds.
+  void on_begun();
 
   // In the end: what is kept of a request that was accepted, and what was heard of it last.
   void check_kept(const std::string& id, const std::string& heard);
@@ -60,7 +60,10 @@ class ServiceWitness {
   std::set<std::string> unwritten_;             // outcomes that the journal has refused once
   std::set<std::string> asked_to_cancel_, cancelled_, given_up_;
   std::map<Rejection, std::size_t> refusals_;
+  // Of the present life:
   std::optional<std::string> in_use_;  // of this id other content has come: it is to be refused
+  std::set<std::string> under_way_;    // accepted, and nothing said of its end
+  std::set<std::string> to_cancel_;    // of these; no plan is to come any more
 };
 
 }  // namespace accord::testing

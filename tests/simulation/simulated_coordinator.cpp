@@ -99,6 +99,7 @@ void SimulatedCoordinator::work() {
   is_to_stop_ = false;
   std::string json = to_json(plan);
   desk_.on_planned(job.id, std::move(plan), std::move(json), now());
+  act();
 }
 
 SimulatedCoordinator::Time SimulatedCoordinator::turn(std::optional<Time> deadline) {

@@ -105,11 +105,11 @@ class Ordeal final : public testing::CoordinatorWatcher {
     steps_left_.reset();
     SimulatedCoordinator coordinator(cluster_, fleet_, journal_, *this, random_.next());
     coordinator_ = &coordinator;
+    witness_.on_begun();
     try {
       while (!is_over() && !coordinator.is_done()) coordinator.work();
     } catch (const Killed&) {
       ++kills_;
-      witness_.on_killed();
       cluster_.network().kill(coordinator.id());
       fleet_.kill_service();
     }
