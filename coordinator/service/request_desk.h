@@ -77,7 +77,8 @@ class RequestDesk {
   void settle(Now now);
 
   // From now on nothing is accepted or begun. What is under way is stopped; it stays in the journal
-  // where that outlives the process, else it ends as cancelled.
+  // where that outlives the process, else it ends as cancelled. Nobody waits for a disk to have
+  // room again: plans that cannot be written are left to be made anew.
   void drain(Now now);
   // Drained, and nothing is under way.
   bool is_done() const;

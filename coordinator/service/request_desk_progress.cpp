@@ -199,9 +199,13 @@ void RequestDesk::on_stored(const std::vector<std::string>& ids, const std::stri
     const auto found = requests_.find(id);
     if (found == requests_.end()) continue;
     if (!found->second.is_told) tell(id, found->second, now);
-    if (!fault.empty()) {
+    if (!fault.empty() && !draining_) {
       to_finish_again_.push_back(id);
       retry_at_ = now.steady + settings_.retry;
+      continue;
+    }
+    if (!fault.empty()) {
+      enqueue(id, found->second);  // for the next coordinator, which plans it anew
       continue;
     }
     kept_[id] = {found->second.content, now.wall};
@@ -226,6 +230,7 @@ std::optional<std::chrono::nanoseconds> RequestDesk::next_deadline() const {
 void RequestDesk::drain(Now now) {
   if (draining_) return;
   draining_ = true;
+  if (retry_at_) retry_at_ = now.steady;  // a last time
   for (const auto& [id, request] : requests_) {
     if (request.stage == Stage::kPlanning) actions_.emplace_back(Stop{id});
   }

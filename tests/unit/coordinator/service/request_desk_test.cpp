@@ -428,6 +428,48 @@ TEST_F(RequestDeskTest, StillKnowsWhatItLeavesForTheNextOne) {
   EXPECT_THAT(begun_, IsEmpty());
 }
 
+TEST_F(RequestDeskTest, DoesNotWaitForAFullDiskWhenItIsDrained) {
+  open();
+  submit("a");
+  submit("b");
+  journal_.fail_next_writes(100);
+  finish("a");
+  desk_->drain(now_);
+  settle();
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("b", cancelled);
+  EXPECT_TRUE(desk_->is_done());
+  EXPECT_EQ(journal_.unfinished()->size(), 2U);
+  ask_again("a");
+  EXPECT_TRUE(replies_.back().accepted);
+  EXPECT_EQ(plans_.back().id, "a") << "it is there for whoever asks meanwhile";
+}
+
+TEST_F(RequestDeskTest, WritesWhatTheDiskHadNoRoomForBeforeItEnds) {
+  open();
+  submit("a");
+  journal_.fail_next_writes(1);
+  finish("a");
+  desk_->drain(now_);
+  settle();
+  EXPECT_TRUE(desk_->is_done());
+  EXPECT_TRUE((*journal_.find("a"))->outcome);
+}
+
+// It would be accepted, and neither planned nor ended where nothing outlives the process.
+TEST_F(RequestDeskTest, RefusesWhatWasBeingReadWhenItIsDrained) {
+  RequestDesk::Settings settings;
+  settings.outlives = false;
+  open(settings);
+  desk_->on_request(request_of("a"), now_);
+  desk_->drain(now_);
+  settle();
+  ASSERT_THAT(replies_, SizeIs(1));
+  EXPECT_EQ(replies_[0].reason, Rejection::kShuttingDown);
+  EXPECT_TRUE(desk_->is_done());
+}
+
 TEST_F(RequestDeskTest, EndsEverythingWhenItIsDrainedAndTheJournalDoesNotOutliveIt) {
   RequestDesk::Settings settings;
   settings.planning = 1;
