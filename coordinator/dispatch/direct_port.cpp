@@ -36,10 +36,12 @@ void DirectPort::turn() {
 }
 
 void DirectPort::exchange() {
-  while (const auto event = bus_.take()) board_.on_event(*event, now_);
-  board_.on_time(now_);
-  while (const auto out = board_.next_outgoing(now_)) {
-    board_.on_published(out->to, bus_.publish(out->to, out->message), now_);
+  // The board's clock has run on since the last request's port.
+  if (!now_) now_ = pass_(bus_, TaskBoard::Time(0));
+  while (const auto event = bus_.take()) board_.on_event(*event, *now_);
+  board_.on_time(*now_);
+  while (const auto out = board_.next_outgoing(*now_)) {
+    board_.on_published(out->to, bus_.publish(out->to, out->message), *now_);
   }
 }
 

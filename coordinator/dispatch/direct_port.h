@@ -14,7 +14,7 @@ namespace accord {
 class DirectPort final : public TaskPort {
  public:
   // One turn of the loop: moves time on, lets others work; returns what the time is then.
-  // For a real bus: waits for an event.
+  // For a real bus: waits for an event, but not past the deadline, which may be over.
   using Turn = std::function<TaskBoard::Time(Bus& bus, std::optional<TaskBoard::Time> deadline)>;
 
   // Bus and board must outlive this.
@@ -45,7 +45,7 @@ class DirectPort final : public TaskPort {
   TaskBoard& board_;
   RequestId request_;
   Turn pass_;
-  TaskBoard::Time now_{0};
+  std::optional<TaskBoard::Time> now_;  // nullopt: nobody has asked yet
   TaskId next_id_;
 };
 

@@ -81,17 +81,17 @@ void JournalThread::serve() {
       work = std::move(work_.front());
       work_.pop_front();
     }
-    std::visit([this](auto& kind) { carry_out(std::move(kind)); }, *work);
+    std::visit([this](const auto& kind) { carry_out(kind); }, *work);
   }
 }
 
-void JournalThread::carry_out(RequestDesk::Accept work) {
+void JournalThread::carry_out(const RequestDesk::Accept& work) {
   const auto written = journal_.accept(work.requests);
   if (!written) spdlog::error("journal: requests are refused: {}", written.error());
   report(Accepted{ids_of(work), written ? "" : written.error()});
 }
 
-void JournalThread::carry_out(RequestDesk::Finish work) {
+void JournalThread::carry_out(const RequestDesk::Finish& work) {
   const auto written = journal_.finish(work.requests);
   if (!written) spdlog::error("journal: plans are kept in memory for now: {}", written.error());
   report(Stored{ids_of(work), written ? "" : written.error()});
