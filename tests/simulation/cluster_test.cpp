@@ -129,7 +129,7 @@ class ClustersWithALiar : public ::testing::TestWithParam<LyingCase> {};
 
 TEST_P(ClustersWithALiar, FindItOutAndPlanAsOnAQuietDay) {
   const auto scene = testing::example_scene(GetParam().scene);
-  const auto expected = testing::paths_planned_in_process(scene);
+  const auto expected = testing::bytes_planned_in_process(scene);
   Cluster cluster(1, false);
   cluster.start_worker();
   Liar liar(scene, GetParam().lie);
