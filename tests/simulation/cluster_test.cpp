@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "common/geometry/query_counter.h"
 #include "common/geometry/tolerances.h"
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/subproblem_codec.h"
@@ -105,6 +106,7 @@ class Liar {
       : world_(scene, kProofMargin), lie_(lie) {}
 
   void operator()(const TaskDesk::Job& job, Bytes& bytes) {
+    const SeparateCost not_of_planning;  // it is on the same thread
     const auto subproblem = decode_subproblem(job.subproblem, world_.scene());
     auto resolution = decode_resolution(bytes, world_.scene(), *subproblem);
     if (!resolution->solved || !lie_(world_, *subproblem, *resolution)) return;
