@@ -337,11 +337,15 @@ class Signals(SystemTest):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.001)
 
+    def wait_for_a_conflict(self, program):
+        """Until its log tells how one was resolved."""
+        self.assertTrue(any("conflict at" in line for line in iter(program.stderr.readline, "")))
+
     def test_while_a_large_scene_is_planned(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(number.name):
                 program = self.start("plan", self.LARGE, "--json", "--log", "debug")
-                self.assertIn("conflict at", program.stderr.readline())
+                self.wait_for_a_conflict(program)
                 program.send_signal(number)
                 plan = json.loads(self.assert_cancelled(program))
                 self.assertEqual("cancelled", plan["status"])
@@ -368,9 +372,9 @@ class Signals(SystemTest):
 
     def test_nohup_is_respected(self):
         program = self.start("plan", self.LARGE, "--log", "debug", sighup=signal.SIG_IGN)
-        self.assertIn("conflict at", program.stderr.readline())
+        self.wait_for_a_conflict(program)
         program.send_signal(signal.SIGHUP)
-        self.assertIn("conflict at", program.stderr.readline())
+        self.wait_for_a_conflict(program)
         program.send_signal(signal.SIGTERM)
         self.assert_cancelled(program)
 
