@@ -1,7 +1,6 @@
 // The whole service on threads of one process: a coordinator's loop with its threads, workers'
 // loops with theirs, DDS between them, and fleet managers on threads of their own. Made for the
-// thread sanitizer: `cmake --build --preset tsan --target service_threads_test`, and see
-// docs/development.md for what it is to overlook.
+// thread sanitizer: see docs/development.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
