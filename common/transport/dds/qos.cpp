@@ -155,7 +155,9 @@ DataReaderQos reader_qos(std::size_t depth) {
   DataReaderQos qos;
   bound(depth, qos);
   qos.durability().kind = VOLATILE_DURABILITY_QOS;
-  qos.reliable_reader_qos().times.initialAcknackDelay = duration(0ms);
+  // Said again after twice as long each time, until the writer is heard: from 0 on that is a storm,
+  // which chokes slow links and never lets the writer be heard.
+  qos.reliable_reader_qos().times.initialAcknackDelay = duration(20ms);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = duration(0ms);
   return qos;
 }

@@ -18,7 +18,8 @@ import unittest
 
 import service
 
-SOLVED, REFUSED = 0, 3
+SOLVED, REFUSED = 0, 3  # of `accord submit`
+UNAVAILABLE = 4  # of a service
 CLONE_NEWNS = 0x00020000
 
 
@@ -88,9 +89,21 @@ class FullDisk(unittest.TestCase):
         self.assertEqual("", submission.output)
         self.assertRegex(submission.log, "^rejected: .*the disk is full")
 
+    def start_service(self):
+        coordinator = self.coordinator()
+        worker = self.service.worker("here")
+        worker.await_log("works for coordinator")
+        return coordinator, worker
+
+    def start_planning(self):
+        """The service, and a request that it has accepted and plans."""
+        coordinator, worker = self.start_service()
+        submission = self.submit("mixed-floor", "early")
+        submission.await_log("conflicts")
+        return coordinator, worker, submission
+
     def test_requests_are_refused_until_there_is_room(self):
-        self.coordinator()
-        self.service.worker("here")
+        self.start_service()
         self.fill()
         self.assert_refused("one")
         self.assert_refused("two")
@@ -98,14 +111,12 @@ class FullDisk(unittest.TestCase):
         plan = self.planned(self.submit("peer-inlet", "one"))
         self.assertEqual(service.planned_here("peer-inlet"), service.canonical(plan))
 
-    def start_planning(self):
-        """A coordinator, a worker, and a request that has been accepted and is being planned."""
+    def test_a_coordinator_does_not_begin_without_room_for_a_journal(self):
+        self.fill()
         coordinator = self.coordinator()
-        worker = self.service.worker("here")
-        worker.await_log("works for coordinator")
-        submission = self.submit("mixed-floor", "early")
-        submission.await_log("conflicts")
-        return coordinator, worker, submission
+        code, _ = coordinator.end(within=60)
+        self.assertEqual(UNAVAILABLE, code)
+        self.assertIn("the disk is full", coordinator.log)
 
     def test_what_was_accepted_is_planned_and_kept(self):
         coordinator, worker, submission = self.start_planning()
