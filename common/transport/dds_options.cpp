@@ -55,6 +55,9 @@ std::optional<OptionsFault> options_fault(const DdsOptions& options) {
   if (options.segment_bytes < kLeastSegmentBytes || options.segment_bytes > kMostSegmentBytes) {
     return OptionsFault{"segment_bytes", "expected 1 MiB to 1 GiB"};
   }
+  if (options.datagram_bytes < kLeastDatagramBytes || options.datagram_bytes > kMostDatagramBytes) {
+    return OptionsFault{"datagram_bytes", "expected 1 KiB to 65500 bytes"};
+  }
   return std::nullopt;
 }
 

@@ -16,6 +16,8 @@ namespace accord {
 inline constexpr std::uint32_t kMostDomain = 232;  // beyond it ports end
 inline constexpr std::size_t kLeastSegmentBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMostSegmentBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kLeastDatagramBytes = std::size_t{1} << 10;
+inline constexpr std::size_t kMostDatagramBytes = 65'500;
 
 struct DdsAddress {
   std::string ip;          // IPv4
@@ -49,6 +51,10 @@ struct DdsOptions {
   std::chrono::milliseconds announcement{200};        // from one sign of life to the next
   std::size_t segment_bytes = std::size_t{64} << 20;  // of shared memory, for what this one sends;
                                                       // containers have 64 MB of it unless told
+  // Of what goes out at once; longer messages go in parts. A datagram is lost with any of its frames,
+  // so on links that lose many it should fit in one: 1452. Shared memory, where it is in use beside
+  // UDP, has the same parts.
+  std::size_t datagram_bytes = kMostDatagramBytes;
   std::uint32_t protocol = kProtocol;                 // another one: for tests of strangers
 };
 

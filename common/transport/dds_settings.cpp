@@ -65,6 +65,9 @@ void add_timing_settings(Settings& settings, DdsOptions& options) {
   settings.add("dds.segment_bytes", "--dds-segment-bytes", options.segment_bytes,
                bytes(kLeastSegmentBytes, kMostSegmentBytes),
                "Shared memory for what this process sends");
+  settings.add("dds.datagram_bytes", "--dds-datagram-bytes", options.datagram_bytes,
+               bytes(kLeastDatagramBytes, kMostDatagramBytes),
+               "What is sent at once; 1452 on links that lose frames");
 }
 
 }  // namespace

@@ -85,16 +85,27 @@ void JournalThread::serve() {
   }
 }
 
+void JournalThread::tell(const std::string& fault, const char* what_follows) {
+  if (!fault.empty()) {
+    spdlog::error("journal: {}: {}", what_follows, fault);
+  } else if (is_failing_) {
+    spdlog::info("journal: takes writes again");
+  }
+  is_failing_ = !fault.empty();
+}
+
 void JournalThread::carry_out(const RequestDesk::Accept& work) {
   const auto written = journal_.accept(work.requests);
-  if (!written) spdlog::error("journal: requests are refused: {}", written.error());
-  report(Accepted{ids_of(work), written ? "" : written.error()});
+  std::string fault = written ? "" : written.error();
+  tell(fault, "requests are refused");
+  report(Accepted{ids_of(work), std::move(fault)});
 }
 
 void JournalThread::carry_out(const RequestDesk::Finish& work) {
   const auto written = journal_.finish(work.requests);
-  if (!written) spdlog::error("journal: plans are kept in memory for now: {}", written.error());
-  report(Stored{ids_of(work), written ? "" : written.error()});
+  std::string fault = written ? "" : written.error();
+  tell(fault, "plans are kept in memory for now");
+  report(Stored{ids_of(work), std::move(fault)});
 }
 
 void JournalThread::carry_out(const RequestDesk::Recall& work) {

@@ -56,6 +56,8 @@ class JournalThread {
   void carry_out(const RequestDesk::Recall& work);
   void carry_out(const RequestDesk::Forget& work);
   void report(Outcome outcome);
+  // People, through the log, how a write went.
+  void tell(const std::string& fault, const char* what_follows);
 
   Journal& journal_;
   std::function<void()> wake_;
@@ -64,7 +66,8 @@ class JournalThread {
   bool quit_ = false;
   std::deque<Work> work_;
   std::deque<Outcome> outcomes_;
-  std::thread thread_;  // last
+  bool is_failing_ = false;  // the thread's own
+  std::thread thread_;       // last
 };
 
 }  // namespace accord

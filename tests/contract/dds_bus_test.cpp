@@ -33,6 +33,17 @@ TEST(DdsBusBoth, FindsAndReachesPeersByOneTransportOrTheOther) {
   EXPECT_EQ(bus_contract::check_named("EveryKindArrivesAsItWas").run(world), "");
 }
 
+TEST(DdsBusOfSmallDatagrams, CarriesLargeMessagesInParts) {
+  for (const std::size_t bytes : {kLeastDatagramBytes, std::size_t{1452}}) {
+    for (const Transport transport : {Transport::kUdp, Transport::kBoth}) {
+      DdsOptions options = local_dds(transport);
+      options.datagram_bytes = bytes;
+      DdsWorld world(options);
+      EXPECT_EQ(bus_contract::check_named("LargeMessagesArriveWhole").run(world), "") << bytes;
+    }
+  }
+}
+
 TEST(DdsBusPeers, AreFoundByTheirAddressesWithoutMulticast) {
   DdsOptions options = local_dds(Transport::kUdp);
   options.discovery = DdsOptions::Discovery::kPeers;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace accord::dds {
 namespace {
@@ -23,11 +25,27 @@ constexpr std::uint32_t kSocketBuffer = 4 * kMebi;
 constexpr std::uint32_t kLargestSharedMessage = 16 * kMebi;
 // How many participants of one machine are looked for at each initial peer's address.
 constexpr std::uint32_t kPeersAnAddress = 32;
+constexpr const char* kLoopback = "127.0.0.1";
 
 Duration_t duration(std::chrono::nanoseconds time) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   return {static_cast<std::int32_t>(time.count() / kSecond),
           static_cast<std::uint32_t>(time.count() % kSecond)};
+}
+
+// Where UDP listens. Fast DDS 2.9 has a discovery server answer participants of its own machine at
+// 127.0.0.1, whatever address they gave, so those kept to other addresses listen there, too.
+std::vector<std::string> interfaces_of(const DdsOptions& options) {
+  std::vector<std::string> out = options.interfaces;
+  const auto is_here = [&options](const DdsAddress& server) {
+    return std::ranges::find(options.interfaces, server.ip) != options.interfaces.end();
+  };
+  if (options.discovery == DdsOptions::Discovery::kServer &&
+      std::ranges::any_of(options.addresses, is_here) &&
+      std::ranges::find(out, kLoopback) == out.end()) {
+    out.emplace_back(kLoopback);
+  }
+  return out;
 }
 
 void add_transports(const DdsOptions& options, DomainParticipantQos& qos) {
@@ -41,7 +59,8 @@ void add_transports(const DdsOptions& options, DomainParticipantQos& qos) {
   }
   if (options.transport != DdsOptions::Transport::kSharedMemory) {
     auto udp = std::make_shared<UDPv4TransportDescriptor>();
-    udp->interfaceWhiteList = options.interfaces;
+    udp->interfaceWhiteList = interfaces_of(options);
+    udp->maxMessageSize = static_cast<std::uint32_t>(options.datagram_bytes);
     udp->sendBufferSize = kSocketBuffer;
     udp->receiveBufferSize = kSocketBuffer;
     udp->maxInitialPeersRange = kPeersAnAddress;
@@ -136,7 +155,9 @@ DataReaderQos reader_qos(std::size_t depth) {
   DataReaderQos qos;
   bound(depth, qos);
   qos.durability().kind = VOLATILE_DURABILITY_QOS;
-  qos.reliable_reader_qos().times.initialAcknackDelay = duration(0ms);
+  // Said again after twice as long each time, until the writer is heard: from 0 on that is a storm,
+  // which chokes slow links and never lets the writer be heard.
+  qos.reliable_reader_qos().times.initialAcknackDelay = duration(20ms);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = duration(0ms);
   return qos;
 }

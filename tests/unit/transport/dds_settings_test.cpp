@@ -34,7 +34,8 @@ TEST_F(DdsSettings, SetEveryOption) {
                     {"--interface", {"10.0.0.1"}},
                     {"--dds-lease", {"3"}},
                     {"--dds-announcement", {"0.05"}},
-                    {"--dds-segment-bytes", {"16 MiB"}}};
+                    {"--dds-segment-bytes", {"16 MiB"}},
+                    {"--dds-datagram-bytes", {"1452"}}};
   EXPECT_THAT(faults(flags), ElementsAre());
   EXPECT_EQ(options_.domain, 7U);
   EXPECT_EQ(options_.cluster, "hall-3");
@@ -46,6 +47,7 @@ TEST_F(DdsSettings, SetEveryOption) {
   EXPECT_EQ(options_.lease, 3s);
   EXPECT_EQ(options_.announcement, 50ms);
   EXPECT_EQ(options_.segment_bytes, std::size_t{16} << 20);
+  EXPECT_EQ(options_.datagram_bytes, 1452U);
   EXPECT_EQ(table_.all().size(), flags.size());
 }
 
