@@ -20,7 +20,7 @@ Method::Method(const CollisionWorld& planning, const CollisionWorld& detection, 
 
 Outcome Method::run() {
   const SeparateCost cost;
-  const Outcome outcome = plan();
+  Outcome outcome = plan();
   statistics_.distance_queries = cost.so_far();
   return outcome;
 }

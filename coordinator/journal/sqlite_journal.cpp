@@ -117,7 +117,7 @@ Result<void> SqliteJournal::do_finish(const std::vector<FinishedRequest>& reques
   const auto transaction = SqliteTransaction::begin(*database_);
   if (!transaction) return tl::unexpected(transaction.error());
   for (const FinishedRequest& request : requests) {
-    if (const auto done = store(request); !done) return done;
+    if (auto done = store(request); !done) return done;
   }
   return (*transaction)->commit();
 }
