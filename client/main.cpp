@@ -63,6 +63,7 @@ ExitCode run(int argc, char** argv) {
   accord::add_verify_command(app, exit_code);
   accord::add_info_command(app, exit_code);
   accord::add_render_command(app, exit_code);
+  accord::add_replay_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

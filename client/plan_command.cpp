@@ -65,7 +65,8 @@ void add_options(CLI::App& command, CommandOptions& options) {
   const std::map<std::string, LogLevel> levels(kLogLevels.begin(), kLogLevels.end());
   command
       .add_option("--log", options.log,
-                  "Least level of what is logged to stderr; debug: a line for each subproblem")
+                  "Least level of what is logged to stderr; debug: a line for each subproblem, and "
+                  "for each solver that is tried on it")
       ->transform(CLI::CheckedTransformer(levels));
 }
 

@@ -22,6 +22,16 @@ class Adaptation {
   Adaptation(const SubproblemFactory& factory, const Schedule& schedule)
       : factory_(factory), schedule_(schedule) {}
 
+  // A copy for a copy of the schedule.
+  Adaptation(const Adaptation& other, const Schedule& schedule)
+      : factory_(other.factory_),
+        schedule_(schedule),
+        stages_(other.stages_),
+        trades_(other.trades_),
+        lockstep_is_spent_(other.lockstep_is_spent_),
+        windows_grown_(other.windows_grown_),
+        robots_taken_in_(other.robots_taken_in_) {}
+
   // How far the conflict's subproblem has been grown. Where resolving the conflict has only brought
   // it back, with all robots that earlier resolutions tied to it; where too many robots are
   // entangled with it for local planning, with all of these, as a crowd.

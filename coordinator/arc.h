@@ -5,7 +5,7 @@
 // Rounds: all subproblems of a round share no robots and are not near each other in time and space,
 // so that they can be solved in any order, or at the same time, and committed in the order of their
 // conflicts. A round's choice depends on the schedule alone; hence the plan does not depend on how
-// many workers there are.
+// many workers there are. What may be asked for next is guessed while they work (Forerunner).
 //
 // Progress: outsiders are moving obstacles of every subproblem, so that a commit makes no conflict
 // earlier than the one it resolves. When no way among them is found, the window doubles and then
@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "coordinator/adaptation.h"
-#include "coordinator/conflict_board.h"
 #include "coordinator/method.h"
+#include "coordinator/round.h"
 
 namespace accord {
 
@@ -31,20 +31,9 @@ class Arc final : public Method {
         adaptation_(factory_, schedule_) {}
 
  private:
-  struct Job {
-    Conflict conflict;
-    Subproblem subproblem;
-    Resolution resolution;
-    std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
-  };
-
   Outcome resolve(ConflictBoard& board) override;
-  void commit(const Job& job, ConflictBoard& board);
-  static bool is_left(const Job& job);
-  std::vector<Job> choose(const ConflictBoard& board) const;
-  void solve(std::vector<Job>& jobs);
-  void find_robots_in_the_way(std::vector<Job>& jobs);
-  std::vector<RobotId> hit_by(const Job& job, const Resolution& resolution) const;
+  void solve(std::vector<Job>& jobs, const ConflictBoard& board);
+  void find_robots_in_the_way(std::vector<Job>& jobs, const Foresight& foresight);
   void record(const Job& job);
   // One line a subproblem, for who wants to see why planning takes as long as it does.
   void log(const Job& job) const;

@@ -63,6 +63,17 @@ ConflictBoard::ConflictBoard(const CollisionWorld& world, const Schedule& schedu
   for (std::uint32_t r = 0; r < schedule.size(); ++r) grid_.place({r}, schedule.path({r}), 0);
 }
 
+ConflictBoard::ConflictBoard(const ConflictBoard& other, const Schedule& schedule)
+    : world_(other.world_),
+      schedule_(schedule),
+      grid_(other.grid_),
+      by_time_(other.by_time_),
+      by_robot_(other.by_robot_),
+      is_done_(other.is_done_),
+      looked_(other.looked_),
+      found_(other.found_),
+      pair_checks_(other.pair_checks_) {}
+
 bool ConflictBoard::look_ahead(std::size_t enough, double reach) {
   std::vector<RobotId> all;
   while (looked_ < grid_.slabs()) {

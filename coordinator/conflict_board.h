@@ -22,6 +22,9 @@ class ConflictBoard {
   // Has looked at nothing yet. Requires: every robot has a path.
   ConflictBoard(const CollisionWorld& world, const Schedule& schedule);
 
+  // A copy for a copy of the schedule. Requires: `schedule` equals the other board's.
+  ConflictBoard(const ConflictBoard& other, const Schedule& schedule);
+
   // Looks further ahead until `enough` conflicts are known and it has seen `reach` (s) beyond the
   // earliest, or all there is. False: there is no conflict at any time.
   bool look_ahead(std::size_t enough, double reach);

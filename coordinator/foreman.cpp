@@ -4,7 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "common/planning/identity.h"
 #include "common/planning/levels.h"
+#include "coordinator/stopwatch.h"
 
 namespace accord {
 namespace {
@@ -12,37 +14,56 @@ namespace {
 // Levels of a subproblem that takes less than this all in all are one attempt: telling the crew of
 // each would take longer than is won.
 constexpr double kWorthSplitting = 2e-3;  // s
+// Foresight may take this share of the time that is waited for work: it is for slow work.
+constexpr double kShareOfForesight = 0.1;
+// Subproblems that are foreseen at a time, for each hand.
+constexpr std::size_t kForeseenPerHand = 2;
 
 }  // namespace
 
 std::vector<Resolution> Foreman::solve(const std::vector<Subproblem>& subproblems,
-                                       const std::atomic<bool>& stop) {
-  std::vector<Ladder> ladders;
-  ladders.reserve(subproblems.size());
-  for (const Subproblem& subproblem : subproblems) ladders.push_back(make_ladder(subproblem));
-  undecided_ = ladders.size();
+                                       const std::atomic<bool>& stop, const Foresight& foresight) {
+  for (const Subproblem& subproblem : subproblems) {
+    asked_.push_back(take_ladder(subproblem, foreseen_));
+  }
+  std::vector<Resolution> resolutions(subproblems.size());
   try {
-    for (Ladder& ladder : ladders) begin_needed(ladder);
-    while (!stop && undecided_ > 0) {
-      begin_ahead(ladders);
-      hand_over();
-      for (Attempted& attempted : crew_->wait(stop)) note(std::move(attempted));
-    }
+    work(stop, foresight);
   } catch (...) {
-    drop_all();
+    drop(std::exchange(asked_, {}));
+    drop(std::exchange(foreseen_, {}));
     throw;
   }
-  drop_all();
-  std::vector<Resolution> resolutions(subproblems.size());
-  for (std::size_t i = 0; i < ladders.size() && !stop; ++i) resolutions[i] = ladders[i].take();
+  const Ladders asked = std::exchange(asked_, {});
+  if (stop) {
+    drop(asked);
+    drop(std::exchange(foreseen_, {}));
+    return resolutions;
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i) resolutions[i] = asked[i]->take();
   return resolutions;
 }
 
-Ladder Foreman::make_ladder(const Subproblem& subproblem) const {
+void Foreman::work(const std::atomic<bool>& stop, const Foresight& foresight) {
+  undecided_ = asked_.size();
+  has_news_ = true;
+  for (const auto& ladder : asked_) begin_needed(*ladder);
+  while (!stop && undecided_ > 0) {
+    begin_ahead(asked_);
+    if (under_way_.size() < crew_->hands()) foresee(foresight);
+    hand_over();
+    for (Attempted& attempted : crew_->wait(stop)) note(std::move(attempted));
+  }
+}
+
+std::unique_ptr<Ladder> Foreman::make_ladder(const Subproblem& subproblem) const {
   auto shared = std::make_shared<const Subproblem>(subproblem);
-  if (is_robot_alone(subproblem)) return {std::move(shared), {solvers_}};
+  const auto ladder_of = [&](std::vector<std::vector<std::string>> rungs) {
+    return std::make_unique<Ladder>(std::move(shared), std::move(rungs));
+  };
+  if (is_robot_alone(subproblem)) return ladder_of({solvers_});
   std::vector<std::string> levels = levels_of(subproblem, solvers_);
-  if (levels.empty()) return {std::move(shared), {}};
+  if (levels.empty()) return ladder_of({});
   std::vector<std::vector<std::string>> rungs;
   double seconds = 0;
   for (const std::string& level : levels) {
@@ -50,8 +71,17 @@ Ladder Foreman::make_ladder(const Subproblem& subproblem) const {
     seconds += estimate_.seconds(subproblem, rungs.back());
   }
   seconds = std::max(seconds, estimate_.seconds(subproblem, levels));
-  if (crew_->hands() < 2 || seconds < kWorthSplitting) rungs = {std::move(levels)};
-  return {std::move(shared), std::move(rungs)};
+  if (crew_->hands() < 2 || seconds < kWorthSplitting) return ladder_of({std::move(levels)});
+  return ladder_of(std::move(rungs));
+}
+
+std::unique_ptr<Ladder> Foreman::take_ladder(const Subproblem& subproblem, Ladders& from) const {
+  const auto found = std::ranges::find_if(
+      from, [&](const auto& ladder) { return are_identical(*ladder->subproblem(), subproblem); });
+  if (found == from.end()) return make_ladder(subproblem);
+  std::unique_ptr<Ladder> ladder = std::move(*found);
+  from.erase(found);
+  return ladder;
 }
 
 void Foreman::begin(Ladder& ladder, std::size_t rung, bool is_ahead) {
@@ -75,17 +105,52 @@ void Foreman::begin_needed(Ladder& ladder) {
 }
 
 // One more level of each, in turn.
-void Foreman::begin_ahead(std::vector<Ladder>& ladders) {
+void Foreman::begin_ahead(const Ladders& ladders) {
   const std::size_t hands = crew_->hands();
   for (bool has_more = true; has_more && under_way_.size() < hands;) {
     has_more = false;
-    for (Ladder& ladder : ladders) {
-      const auto rung = ladder.next_ahead();
+    for (const auto& ladder : ladders) {
+      const auto rung = ladder->next_ahead();
       if (!rung || under_way_.size() >= hands) continue;
-      begin(ladder, *rung, true);
+      begin(*ladder, *rung, true);
       has_more = true;
     }
   }
+}
+
+void Foreman::foresee(const Foresight& foresight) {
+  if (foresight && has_news_ && foresaw_ <= kShareOfForesight * waited_) {
+    has_news_ = false;
+    const Stopwatch watch;
+    Ladders stale = std::exchange(foreseen_, {});
+    const auto is_asked = [this](const Subproblem& subproblem) {
+      return std::ranges::any_of(asked_, [&](const auto& ladder) {
+        return are_identical(*ladder->subproblem(), subproblem);
+      });
+    };
+    const Likely known = [&](const Subproblem& subproblem) { return likely(subproblem, stale); };
+    for (const Subproblem& subproblem : foresight(known, kForeseenPerHand * crew_->hands())) {
+      if (!is_asked(subproblem)) foreseen_.push_back(take_ladder(subproblem, stale));
+    }
+    drop(stale);
+    foresaw_ += watch.seconds();
+  }
+  for (const auto& ladder : foreseen_) {
+    const auto rung = ladder->needed();
+    if (under_way_.size() >= crew_->hands()) return;
+    if (rung && ladder->is_open(*rung)) begin(*ladder, *rung, true);
+  }
+  begin_ahead(foreseen_);
+}
+
+std::optional<Resolution> Foreman::likely(const Subproblem& subproblem,
+                                          const Ladders& foreseen) const {
+  for (const Ladders* ladders : {&asked_, &foreseen}) {
+    for (const auto& ladder : *ladders) {
+      if (are_identical(*ladder->subproblem(), subproblem)) return ladder->likely();
+    }
+  }
+  return std::nullopt;
 }
 
 void Foreman::hand_over() {
@@ -96,25 +161,32 @@ void Foreman::note(Attempted attempted) {
   const auto found = under_way_.find(attempted.ticket);
   if (found == under_way_.end()) return;
   const auto [ladder, rung, is_ahead] = found->second;
+  // So many were waited for at the same time.
+  waited_ += attempted.seconds / static_cast<double>(under_way_.size());
   under_way_.erase(found);
+  has_news_ = true;
   if (attempted.failure) {
     if (!is_ahead) std::rethrow_exception(attempted.failure);
     ladder->put_off(rung);
     return;
   }
   estimate_.learn(*ladder->subproblem(), ladder->solvers(rung), attempted.seconds);
-  const bool was_needed = ladder->needed() == rung;
   const std::vector<Ticket> moot = ladder->end(rung, std::move(attempted.resolution));
   for (const Ticket ticket : moot) under_way_.erase(ticket);
   if (!moot.empty()) crew_->drop(moot);
-  if (was_needed) begin_needed(*ladder);
+  if (!is_ahead) begin_needed(*ladder);
 }
 
-void Foreman::drop_all() {
+void Foreman::drop(const Ladders& ladders) {
   std::vector<Ticket> tickets;
-  for (const auto& [ticket, under_way] : under_way_) tickets.push_back(ticket);
-  under_way_.clear();
-  begun_.clear();
+  for (const auto& [ticket, under_way] : under_way_) {
+    const auto its = std::ranges::find(ladders, under_way.ladder, &std::unique_ptr<Ladder>::get);
+    if (its != ladders.end()) tickets.push_back(ticket);
+  }
+  for (const Ticket ticket : tickets) under_way_.erase(ticket);
+  std::erase_if(begun_, [&](const Attempt& attempt) {
+    return std::ranges::find(tickets, attempt.ticket) != tickets.end();
+  });
   if (!tickets.empty()) crew_->drop(tickets);
 }
 

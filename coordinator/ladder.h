@@ -32,6 +32,8 @@ class Ladder {
   // it.
   std::optional<std::size_t> next_ahead() const;
 
+  // Whether a rung may be begun ahead of need.
+  bool is_open(std::size_t rung) const { return rungs_[rung].stage == Stage::kOpen; }
   // The attempt at a rung that is under way.
   std::optional<Ticket> ticket(std::size_t rung) const;
   // Requires: the rung is not under way, and has not ended.

@@ -49,7 +49,7 @@ std::optional<Outcome> Method::plan_initial_paths() {
     for (std::size_t i = 0; i < count; ++i) {
       own.push_back(factory_.create_initial({static_cast<std::uint32_t>(first + i)}));
     }
-    std::ranges::move(workforce_.solve(own, stop_),
+    std::ranges::move(workforce_.solve(own, stop_, {}),
                       found.begin() + static_cast<std::ptrdiff_t>(first));
     if (stop_) return stopped_alone(scene(), {static_cast<std::uint32_t>(first)});
   }

@@ -9,7 +9,7 @@ Outcome WholeProblem::resolve(ConflictBoard& board) {
   statistics_.conflicts_found = board.found();
   report(Progress::Phase::kConflicts, schedule_.size());
   const Subproblem subproblem = factory_.create_whole(schedule_);
-  const Resolution resolution = workforce_.solve({subproblem}, stop_).front();
+  const Resolution resolution = workforce_.solve({subproblem}, stop_, {}).front();
   ++statistics_.rounds;
   ++statistics_.subproblems;
   statistics_.effort += resolution.effort;

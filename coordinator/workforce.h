@@ -2,11 +2,22 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "common/planning/subproblem.h"
 
 namespace accord {
+
+// What is likely to become of a subproblem that is being solved, or was foreseen, as far as it can
+// be told; without its effort. nullopt: not yet.
+using Likely = std::function<std::optional<Resolution>(const Subproblem&)>;
+
+// What may be asked for next, soonest first, given what is likely; with at most `most` of which
+// nothing is known. Guesses: nothing but the time that is taken depends on them.
+using Foresight = std::function<std::vector<Subproblem>(const Likely& likely, std::size_t most)>;
 
 class Workforce {
  public:
@@ -14,9 +25,10 @@ class Workforce {
 
   // The resolution of each subproblem, in the same order. May solve them in any order or at the
   // same time; what comes back depends on the subproblems alone, unless `stop` becomes true, which
-  // leaves some unsolved.
+  // leaves some unsolved. `foresight` may be called meanwhile, for who would idle; may be empty.
   virtual std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
-                                        const std::atomic<bool>& stop) = 0;
+                                        const std::atomic<bool>& stop,
+                                        const Foresight& foresight) = 0;
 };
 
 }  // namespace accord

@@ -1,5 +1,7 @@
 #include "worker/solver.h"
 
+#include <spdlog/spdlog.h>
+
 #include <stdexcept>
 
 #include "common/planning/levels.h"
@@ -11,6 +13,18 @@
 #include "worker/prioritized_query.h"
 
 namespace accord {
+namespace {
+
+void log(std::string_view solver, const Resolution& resolution) {
+  const Effort& effort = resolution.effort;
+  spdlog::debug("{}: {} ({} searches, {} expansions, {} samples, {} motion checks)", solver,
+                resolution.solved       ? "solved"
+                : resolution.improves() ? "improved"
+                                        : "exhausted",
+                effort.searches, effort.expansions, effort.samples, effort.motion_checks);
+}
+
+}  // namespace
 
 Resolution Solver::solve(const Workspace& workspace, const Subproblem& subproblem,
                          const std::atomic<bool>& stop) const {
@@ -45,6 +59,7 @@ Resolution SolverHierarchy::do_solve(const Workspace& workspace, const Subproble
   for (const auto& solver : solvers_) {
     Resolution resolution = solver->solve(workspace, subproblem, stop);
     effort += resolution.effort;
+    log(solver->name(), resolution);
     resolution.effort = effort;
     if (resolution.solved || resolution.improves() || stop) return resolution;
   }

@@ -37,6 +37,8 @@ class CornerCutter {
       from = path_.time(path_.segment_at(from));
       to = path_.time(std::min(path_.segment_at(to) + 1, path_.size() - 1));
     }
+    from = snapped(from);
+    to = snapped(to);
     const Configuration a = path_.at(from), b = path_.at(to);
     const double duration = team_.duration(a, b);
     if (to - from - duration < kLeastSaving || duration < kShortestMotion) return false;
@@ -48,13 +50,22 @@ class CornerCutter {
     return true;
   }
 
+  // A cut near a waypoint is one at it: a path that went on from close behind a corner would leave
+  // out the corner, and what lies between is not proved.
+  double snapped(double time) const {
+    const std::size_t segment = path_.segment_at(time);
+    const double before = path_.time(segment);
+    const double after = path_.time(std::min(segment + 1, path_.size() - 1));
+    if (time - before < 2 * kShortestMotion) return before;
+    return after - time < 2 * kShortestMotion ? after : time;
+  }
+
   Trajectory with_cut(double from, double to, const Configuration& a, const Configuration& b,
                       double duration) const {
     Trajectory cut(path_.dof());
     for (std::size_t i = 0; i < path_.size() && path_.time(i) < from - kShortestMotion; ++i) {
       cut.append(path_.time(i), path_.configuration(i));
     }
-    // Close to a waypoint the cut begins there: a is that place to within rounding of the motion.
     if (cut.empty() || from > cut.end_time()) cut.append(from, a);
     double shift = append_apart(from + duration, b, cut) - to;
     for (std::size_t i = 0; i < path_.size(); ++i) {

@@ -8,8 +8,10 @@
 namespace accord {
 namespace {
 
-// Work that takes less all in all is done before a thread has woken up for it.
+// Work that takes less all in all is done before threads have woken up for it; and where there is
+// but one attempt, nobody else would gain from the caller's being free.
 constexpr double kWorthHandingOver = 1e-4;  // s
+constexpr double kWorthWatching = 2e-3;     // s: what else could be done meanwhile
 // How soon a stop is noticed while others work.
 constexpr auto kLookUp = std::chrono::milliseconds(5);
 
@@ -98,10 +100,10 @@ void LocalCrew::make_way() {
 
 bool LocalCrew::is_for_the_caller() const {
   if (threads_.empty()) return true;
-  if (!running_.empty() || !ahead_.empty()) return false;
+  if (!running_.empty() || !ahead_.empty() || !ended_.empty()) return false;
   double seconds = 0;
   for (const Attempt& attempt : needed_) seconds += attempt.seconds;
-  return seconds < kWorthHandingOver;
+  return seconds < (needed_.size() == 1 ? kWorthWatching : kWorthHandingOver);
 }
 
 std::vector<Attempted> LocalCrew::wait(const std::atomic<bool>& stop) {

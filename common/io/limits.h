@@ -59,6 +59,9 @@ inline constexpr std::size_t kSubproblemBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kResolutionBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kSolvers = 16;  // of one hierarchy
 inline constexpr std::size_t kSolverNameBytes = 64;
+inline constexpr std::size_t kWhyBytes = 4096;  // of what is said of a task to people
+inline constexpr std::size_t kTaskRecordBytes =
+    kSceneWireBytes + kSubproblemBytes + kWhyBytes + (std::size_t{1} << 16);
 
 // Requests
 inline constexpr std::size_t kRequestIdBytes = 128;

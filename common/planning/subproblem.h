@@ -63,6 +63,8 @@ struct SolverLimits {
     constexpr std::size_t kMost = 1'000'000'000;
     return {kMost, kMost, 1, kMost, kMost, 12, 1};
   }
+
+  friend bool operator==(const SolverLimits&, const SolverLimits&) = default;
 };
 
 struct Subproblem {

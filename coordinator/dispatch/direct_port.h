@@ -14,12 +14,14 @@ namespace accord {
 class DirectPort final : public TaskPort {
  public:
   // One turn of the loop: moves time on, lets others work; returns what the time is then.
-  // For a real bus: waits for an event.
+  // For a real bus: waits for an event, but not past the deadline, which may be over.
   using Turn = std::function<TaskBoard::Time(Bus& bus, std::optional<TaskBoard::Time> deadline)>;
 
   // Bus and board must outlive this.
   DirectPort(Bus& bus, TaskBoard& board, RequestId request, Turn turn);
   ~DirectPort() override;
+  DirectPort(const DirectPort&) = delete;
+  DirectPort& operator=(const DirectPort&) = delete;
 
   void open(RequestWork work) override;
   TaskId next_id() override { return next_id_++; }
@@ -37,11 +39,13 @@ class DirectPort final : public TaskPort {
   void turn();
 
  private:
+  void exchange();
+
   Bus& bus_;
   TaskBoard& board_;
   RequestId request_;
   Turn pass_;
-  TaskBoard::Time now_{0};
+  std::optional<TaskBoard::Time> now_;  // nullopt: nobody has asked yet
   TaskId next_id_;
 };
 

@@ -19,11 +19,12 @@ constexpr double kLeastWeight = 1e-3;
 }  // namespace
 
 RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world)
-    : port_(std::move(port)), world_(world) {
+    : port_(std::move(port)),
+      world_(world),
+      scene_(std::make_shared<const Bytes>(encode_scene(world.scene()))) {
   RequestWork work;
-  auto bytes = std::make_shared<const Bytes>(encode_scene(world.scene()));
-  work.scene = hash_of(*bytes);
-  work.scene_bytes = std::move(bytes);
+  work.scene = hash_of(*scene_);
+  work.scene_bytes = scene_;
   port_->open(std::move(work));
 }
 
@@ -32,10 +33,12 @@ void RemoteCrew::begin(std::vector<Attempt> attempts) {
   for (Attempt& attempt : attempts) {
     const TaskId id = port_->next_id();
     const double weight = std::max(kLeastWeight, kWeightPerSecond * attempt.seconds);
-    tasks.push_back({id, encode_hierarchy(attempt.solvers), encode_subproblem(*attempt.subproblem),
-                     weight, attempt.is_ahead});
+    Bytes hierarchy = encode_hierarchy(attempt.solvers);
+    tasks.push_back(
+        {id, hierarchy, encode_subproblem(*attempt.subproblem), weight, attempt.is_ahead});
     tasks_.emplace(attempt.ticket, id);
-    under_way_.emplace(id, UnderWay{attempt.ticket, std::move(attempt.subproblem), {}});
+    under_way_.emplace(
+        id, UnderWay{attempt.ticket, std::move(attempt.subproblem), std::move(hierarchy), {}});
   }
   port_->add(std::move(tasks));
 }
@@ -84,7 +87,8 @@ std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderW
   out.ticket = task.ticket;
   out.seconds = finished.seconds;
   const auto fail = [&](const std::string& why) {
-    out.failure = std::make_exception_ptr(TaskFailure(why, encode_subproblem(*task.subproblem)));
+    out.failure = std::make_exception_ptr(
+        TaskFailure({*scene_, task.hierarchy, encode_subproblem(*task.subproblem), why}));
     return std::move(out);
   };
   if (finished.how != FinishedTask::How::kDone) return fail(finished.text);

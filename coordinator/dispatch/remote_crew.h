@@ -12,21 +12,24 @@
 #include <vector>
 
 #include "common/geometry/collision_world.h"
+#include "common/io/wire/task_record.h"
 #include "coordinator/crew.h"
 #include "coordinator/dispatch/task_port.h"
 
 namespace accord {
 
-// A task could not be solved by anybody: it kills its workers, or none takes it. The request cannot
-// be finished; whoever has the subproblem can look at it.
+// A task could not be solved by anybody: it kills its workers, none takes it, or two of them return
+// the same resolution, which does not hold: then their solvers are wrong, not they. The request
+// cannot be finished; its record says why, and lets `accord replay` try again.
 class TaskFailure : public std::runtime_error {
  public:
-  TaskFailure(const std::string& why, Bytes subproblem)
-      : std::runtime_error(why), subproblem_(std::move(subproblem)) {}
-  const Bytes& subproblem() const { return subproblem_; }
+  explicit TaskFailure(TaskRecord record)
+      : std::runtime_error(record.why),
+        record_(std::make_shared<const TaskRecord>(std::move(record))) {}
+  const TaskRecord& record() const { return *record_; }
 
  private:
-  Bytes subproblem_;
+  std::shared_ptr<const TaskRecord> record_;  // copying an exception must not throw
 };
 
 class RemoteCrew final : public Crew {
@@ -47,6 +50,7 @@ class RemoteCrew final : public Crew {
   struct UnderWay {
     Ticket ticket;
     std::shared_ptr<const Subproblem> subproblem;
+    Bytes hierarchy;
     Bytes refused;  // what came back of it last and does not hold
   };
 
@@ -57,6 +61,7 @@ class RemoteCrew final : public Crew {
 
   std::unique_ptr<TaskPort> port_;
   const CollisionWorld& world_;
+  std::shared_ptr<const Bytes> scene_;  // as it is sent
   std::map<TaskId, UnderWay> under_way_;
   std::map<Ticket, TaskId> tasks_;  // the same
 };

@@ -81,7 +81,7 @@ void JournalThread::serve() {
       work = std::move(work_.front());
       work_.pop_front();
     }
-    std::visit([this](auto& kind) { carry_out(std::move(kind)); }, *work);
+    std::visit([this](const auto& kind) { carry_out(kind); }, *work);
   }
 }
 
@@ -94,14 +94,14 @@ void JournalThread::tell(const std::string& fault, const char* what_follows) {
   is_failing_ = !fault.empty();
 }
 
-void JournalThread::carry_out(RequestDesk::Accept work) {
+void JournalThread::carry_out(const RequestDesk::Accept& work) {
   const auto written = journal_.accept(work.requests);
   std::string fault = written ? "" : written.error();
   tell(fault, "requests are refused");
   report(Accepted{ids_of(work), std::move(fault)});
 }
 
-void JournalThread::carry_out(RequestDesk::Finish work) {
+void JournalThread::carry_out(const RequestDesk::Finish& work) {
   const auto written = journal_.finish(work.requests);
   std::string fault = written ? "" : written.error();
   tell(fault, "plans are kept in memory for now");

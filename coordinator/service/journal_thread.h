@@ -51,8 +51,8 @@ class JournalThread {
 
  private:
   void serve();
-  void carry_out(RequestDesk::Accept work);
-  void carry_out(RequestDesk::Finish work);
+  void carry_out(const RequestDesk::Accept& work);
+  void carry_out(const RequestDesk::Finish& work);
   void carry_out(const RequestDesk::Recall& work);
   void carry_out(const RequestDesk::Forget& work);
   void report(Outcome outcome);

@@ -1,5 +1,6 @@
 #include "coordinator/service/planning_threads.h"
 
+#include <chrono>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -25,10 +26,22 @@ Plan failed(const PlanningThreads::Job& job, std::string why) {
   return plan;
 }
 
+// Requests are numbered on from the time, so that no task has the name of one that a worker still
+// has from a coordinator that was killed. The upper half of a task's name.
+RequestId first_request() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<RequestId>(
+             std::chrono::duration_cast<std::chrono::milliseconds>(now).count()) &
+         0x7fffffffU;
+}
+
 }  // namespace
 
 PlanningThreads::PlanningThreads(Settings settings, Mailbox& mailbox, std::function<void()> wake)
-    : settings_(std::move(settings)), mailbox_(mailbox), wake_(std::move(wake)) {
+    : settings_(std::move(settings)),
+      mailbox_(mailbox),
+      wake_(std::move(wake)),
+      next_request_(first_request()) {
   threads_.emplace_back([this] { read(); });
   for (unsigned i = 0; i < settings_.planning; ++i) threads_.emplace_back([this] { plan(); });
 }
@@ -132,7 +145,7 @@ void PlanningThreads::plan() {
       continue;
     } catch (const TaskFailure& failure) {
       planned.plan = failed(
-          running.job, failure.what() + kept_where(settings_.quarantine, running.job.id, failure));
+          running.job, failure.what() + keep_task(settings_.quarantine, running.job.id, failure));
     } catch (const std::bad_alloc&) {
       planned.plan = failed(running.job, "the service has not enough memory");
     } catch (const std::exception& bug) {

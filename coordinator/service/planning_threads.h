@@ -95,7 +95,7 @@ class PlanningThreads {
   std::deque<Running> to_plan_;
   std::deque<Outcome> outcomes_;
   std::map<std::string, std::shared_ptr<std::atomic<bool>>> stops_;  // of what is to be planned
-  RequestId next_request_ = 1;
+  RequestId next_request_;
   std::vector<std::thread> threads_;
 };
 

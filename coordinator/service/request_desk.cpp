@@ -9,6 +9,8 @@
 namespace accord {
 namespace {
 
+constexpr const char* kIsEnding = "the service is about to end";
+
 // Of what a request brought, while it waits to be read.
 std::size_t bytes_of(const PlanRequest& request) {
   std::size_t bytes = request.scene_text.size();
@@ -63,7 +65,7 @@ std::optional<RequestReply> RequestDesk::refusal(const PlanRequest& request,
   const auto because = [&](Rejection reason, std::string text) {
     return RequestReply{request.id, false, reason, "", std::move(text)};
   };
-  if (draining_) return because(Rejection::kShuttingDown, "the service is about to end");
+  if (draining_) return because(Rejection::kShuttingDown, kIsEnding);
   if (requests_.size() >= settings_.queued + settings_.planning) {
     return because(Rejection::kQueueFull, "no more than " + std::to_string(settings_.queued) +
                                               " requests are held, and so many are waiting");
@@ -88,6 +90,9 @@ void RequestDesk::on_read(const PlanRequest& request,
   const auto found = requests_.find(request.id);
   if (found == requests_.end() || found->second.stage != Stage::kRead) return;
   Request& entry = found->second;
+  if (ready && draining_) {
+    ready = tl::unexpected(RequestFault{Rejection::kShuttingDown, "", kIsEnding});
+  }
   if (!ready) {
     RequestFault& fault = ready.error();
     reject(request.id, fault.reason, std::move(fault.field), std::move(fault.text));
@@ -170,7 +175,7 @@ void RequestDesk::reply_again(const std::string& id, Request& request, Now now) 
   if (!request.is_accepted) return;  // it is still to come
   publish(RequestReply{id, true, Rejection::kNone, "", ""});
   say_state(id, request, now);
-  if (request.stage == Stage::kFinished) publish(FinishedPlan{id, request.plan});
+  if (request.is_told) publish(FinishedPlan{id, request.plan});
 }
 
 void RequestDesk::resend(const std::string& id, Now now) {

@@ -77,7 +77,8 @@ class RequestDesk {
   void settle(Now now);
 
   // From now on nothing is accepted or begun. What is under way is stopped; it stays in the journal
-  // where that outlives the process, else it ends as cancelled.
+  // where that outlives the process, else it ends as cancelled. Nobody waits for a disk to have
+  // room again: plans that cannot be written are left to be made anew.
   void drain(Now now);
   // Drained, and nothing is under way.
   bool is_done() const;
@@ -145,6 +146,7 @@ class RequestDesk {
     RequestState state;
     Plan plan;  // once finished
     std::string json;
+    bool is_told = false;  // how it has ended
   };
   struct Kept {  // in the journal
     SceneHash content;
@@ -166,6 +168,7 @@ class RequestDesk {
   void end(const std::string& id, Request& request, PlanStatus status, std::string message,
            Now now);
   void finish(const std::string& id, Request& request, Now now);
+  void tell(const std::string& id, Request& request, Now now);
   void drop(Requests::iterator request);
   void say_state(const std::string& id, Request& request, Now now);
   void forget_old(Now now);

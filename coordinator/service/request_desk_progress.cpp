@@ -22,6 +22,11 @@ RequestPhase phase_of(Progress::Phase phase) {
   return RequestPhase::kConflicts;
 }
 
+// Planned anew.
+bool would_end_so_again(const Plan& plan) {
+  return plan.status != PlanStatus::kCancelled && plan.status != PlanStatus::kTimeout;
+}
+
 std::size_t waypoints_of(const Plan& plan) {
   std::size_t waypoints = 0;
   for (const RobotPlan& robot : plan.robots) waypoints += robot.trajectory.size();
@@ -132,10 +137,13 @@ void RequestDesk::on_planned(const std::string& id, Plan plan, std::string json,
   if (found == requests_.end() || found->second.stage != Stage::kPlanning) return;
   --planning_;
   Request& request = found->second;
-  const bool is_for_the_next_one = draining_ && settings_.outlives && !request.is_cancelled &&
-                                   plan.status == PlanStatus::kCancelled;
-  if (request.is_refused || is_for_the_next_one) {
+  if (request.is_refused) {
     drop(found);
+    return;
+  }
+  if (draining_ && settings_.outlives && !request.is_cancelled &&
+      plan.status == PlanStatus::kCancelled) {
+    enqueue(id, request);  // for the next coordinator; who asks meanwhile is told so
     return;
   }
   if (const std::size_t waypoints = waypoints_of(plan); waypoints > settings_.waypoints) {
@@ -166,16 +174,22 @@ void RequestDesk::end(const std::string& id, Request& request, PlanStatus status
   finish(id, request, now);
 }
 
-// The plan is handed out before it is in the journal: whoever waits need not wait for the disk, and
-// after a crash in between a restart makes it anew, the same.
+// A plan is handed out before it is in the journal: whoever waits need not wait for the disk, and
+// after a crash in between a restart makes it anew, the same. An end that would not come again is
+// written first, lest a request that was said to be cancelled be planned after all.
 void RequestDesk::finish(const std::string& id, Request& request, Now now) {
   request.stage = Stage::kFinished;
-  request.state.phase = RequestPhase::kFinished;
   if (!request.is_accepted) return;  // once it is
   ++counters_.finished[request.plan.status];
+  if (would_end_so_again(request.plan)) tell(id, request, now);
+  to_finish_.push_back(id);
+}
+
+void RequestDesk::tell(const std::string& id, Request& request, Now now) {
+  request.is_told = true;
+  request.state.phase = RequestPhase::kFinished;
   say_state(id, request, now);
   publish(FinishedPlan{id, request.plan});
-  to_finish_.push_back(id);
 }
 
 // Where the journal cannot be written, plans stay here, for whoever asks.
@@ -184,9 +198,14 @@ void RequestDesk::on_stored(const std::vector<std::string>& ids, const std::stri
   for (const std::string& id : ids) {
     const auto found = requests_.find(id);
     if (found == requests_.end()) continue;
-    if (!fault.empty()) {
+    if (!found->second.is_told) tell(id, found->second, now);
+    if (!fault.empty() && !draining_) {
       to_finish_again_.push_back(id);
       retry_at_ = now.steady + settings_.retry;
+      continue;
+    }
+    if (!fault.empty()) {
+      enqueue(id, found->second);  // for the next coordinator, which plans it anew
       continue;
     }
     kept_[id] = {found->second.content, now.wall};
@@ -211,6 +230,7 @@ std::optional<std::chrono::nanoseconds> RequestDesk::next_deadline() const {
 void RequestDesk::drain(Now now) {
   if (draining_) return;
   draining_ = true;
+  if (retry_at_) retry_at_ = now.steady;  // a last time
   for (const auto& [id, request] : requests_) {
     if (request.stage == Stage::kPlanning) actions_.emplace_back(Stop{id});
   }

@@ -1,6 +1,7 @@
 """Arms: the three scenarios of the ARC paper (Solis et al., 2023, section V-B), modelled on its
-figures, and the crossing of planar arms that a peer's benchmark has."""
+figures, and the crossing of planar arms that a peer's benchmark has; and many pairs that have nothing to do with each other."""
 import math
+import random
 
 from families import urdf
 from families.family import even, families_of, family, require
@@ -111,6 +112,47 @@ def planar_cross(n, spacing, pitch, link):
         y = low + pitch * i
         scene.robot(f"left{i}", "arm", start, goal, at=[-x, y, 0])
         scene.robot(f"right{i}", "arm", start, goal, at=[x, y, 0], rpy=[0, 0, math.pi])
+    return scene
+
+
+@family("arm-cells", even(2, 512), file="arm-cells-{n:03d}",
+        gap=(2.6, "distance of the facing bases, m"), link=(1.0, "length of each link, m"),
+        seed=(1, "of how far each pair leans"))
+def arm_cells(n, gap, link, seed):
+    """Pairs of planar arms, each pair in a cell of its own, pass with hardly any room.
+
+    n/2 of high-manipulator's pairs in walled cells on a grid, out of each other's reach, each with
+    another angle to the middle, 1.1 to 1.3 rad: as many hard conflicts that have nothing to do
+    with each other. For how planning scales with workers.
+    """
+    require(min(gap, link) > 0.12, "gap and link must be more than the links' width, 0.12 m")
+    draw = random.Random(seed)
+    pairs = n // 2
+    columns = math.ceil(math.sqrt(pairs))
+    rows = math.ceil(pairs / columns)
+    wall = 0.1
+    # An arm's reach and its base to each side, and from its base to the farther wall and beyond.
+    half_width, half_height = 3 * link + 1.2, gap / 2 + 0.4
+    pitch_x = 2 * half_width + wall
+    pitch_y = gap + 3 * link + 1.4
+    low_x, low_y = -(columns - 1) * pitch_x / 2, -(rows - 1) * pitch_y / 2
+    edge_x, edge_y = -low_x + half_width + wall, -low_y + half_height + wall
+    scene = Scene(f"{pairs} cells, in each two planar 3-joint arms that face each other and swing "
+                  "to opposite sides",
+                  [[-edge_x, -edge_y], [edge_x, edge_y]])
+    scene.arm("arm", urdf.planar(link))
+    for i in range(pairs):
+        x, y = low_x + i % columns * pitch_x, low_y + i // columns * pitch_y
+        left, right, low, high = x - half_width, x + half_width, y - half_height, y + half_height
+        scene.rectangle(left - wall, low - wall, right + wall, low)
+        scene.rectangle(left - wall, high, right + wall, high + wall)
+        scene.rectangle(left - wall, low, left, high)
+        scene.rectangle(right, low, right + wall, high)
+        lean = draw.uniform(1.1, 1.3)
+        scene.robot(f"top{i}", "arm", [-lean, 0, 0], [lean, 0, 0], at=[x, y + gap / 2, 0],
+                    rpy=[0, 0, -math.pi / 2])
+        scene.robot(f"bottom{i}", "arm", [-lean, 0, 0], [lean, 0, 0], at=[x, y - gap / 2, 0],
+                    rpy=[0, 0, math.pi / 2])
     return scene
 
 

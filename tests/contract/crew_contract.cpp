@@ -81,10 +81,10 @@ class Foremost {
   Crew& crew() { return *crew_; }
 
   Ticket begin(Subproblem subproblem, bool is_ahead = false,
-               std::vector<std::string> solvers = {"decoupled-prm"}) {
+               std::vector<std::string> solvers = {"decoupled-prm"}, double seconds = 0.01) {
     const Ticket ticket = next_++;
     Attempt attempt{ticket, std::make_shared<const Subproblem>(std::move(subproblem)),
-                    std::move(solvers), is_ahead, 0.01};
+                    std::move(solvers), is_ahead, seconds};
     crew_->begin({std::move(attempt)});
     return ticket;
   }
@@ -200,17 +200,21 @@ Breach puts_off_what_is_ahead_of_need(const Candidate& candidate) {
   return {};
 }
 
-// So that a third one does not starve for having been put off.
 Breach goes_on_with_what_was_put_off(const Candidate& candidate) {
-  const Problem problem = crossing_discs();
+  // Takes some milliseconds.
+  const Problem problem = complete(testing::discs_in_a_corridor_with_a_pocket());
   Foremost foremost(candidate, problem, 2);
-  std::vector<Ticket> ahead, needed;
-  for (int i = 0; i < 8; ++i) {
+  std::vector<Ticket> ahead;
+  for (int i = 0; i < 4; ++i) {
     ahead.push_back(foremost.begin(problem.subproblem, true, {"composite-prm"}));
-    needed.push_back(foremost.begin(problem.subproblem, false, {"composite-prm"}));
   }
-  if (!foremost.are_back(needed)) return "what is needed did not come back";
-  for (const Ticket ticket : ahead) foremost.crew().hurry({ticket});
+  // Each time, some of them are under way.
+  for (int i = 0; i < 10; ++i) {
+    std::this_thread::sleep_for(1ms);
+    const Ticket first = foremost.begin_short(false), second = foremost.begin_short(false);
+    if (!foremost.are_back({first, second})) return "what is needed did not come back";
+  }
+  foremost.crew().hurry(ahead);
   if (!foremost.are_back(ahead)) return "what was put off did not come back";
   for (const Ticket ticket : ahead) {
     if (!foremost.back().at(ticket).resolution.solved) return "it came back half done";
@@ -266,6 +270,19 @@ Breach has_hands_free_for_others_when_one_is_dropped(const Candidate& candidate)
   return {};
 }
 
+// A crew that did so waited for ever: what was left for the caller to do was left by the caller,
+// too, which saw that something had ended.
+Breach does_what_is_begun_when_others_have_ended(const Candidate& candidate) {
+  const Problem problem = crossing_discs();
+  Foremost foremost(candidate, problem, 2);
+  const Ticket first = foremost.begin_short(false);
+  std::this_thread::sleep_for(kQuiet);  // it has ended, and nobody has asked
+  const Ticket second =
+      foremost.begin(short_one(problem.subproblem, 1, 99), false, {"decoupled-prm"}, 0);
+  if (!foremost.are_back({first, second})) return "an attempt was left undone";
+  return {};
+}
+
 Breach ends_when_it_is_stopped(const Candidate& candidate) {
   for (const unsigned hands : {1U, 2U}) {
     Foremost foremost(candidate, endless(), hands);
@@ -292,6 +309,7 @@ const std::vector<Check>& checks() {
       {"TakesWhatIsHurriedForNeeded", takes_what_is_hurried_for_needed},
       {"GivesBackNothingThatWasDropped", gives_back_nothing_that_was_dropped},
       {"HasHandsFreeForOthersWhenOneIsDropped", has_hands_free_for_others_when_one_is_dropped},
+      {"DoesWhatIsBegunWhenOthersHaveEnded", does_what_is_begun_when_others_have_ended},
       {"EndsWhenItIsStopped", ends_when_it_is_stopped},
   };
   return all;

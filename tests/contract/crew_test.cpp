@@ -96,7 +96,7 @@ class InProcessWorker {
 // A worker of two threads where there are as many, and workers of one.
 struct Cluster {
   Cluster(const std::shared_ptr<const Scene>& scene, unsigned hands)
-      : network(1), bus(network.join(Role::kCoordinator)) {
+      : network(1), bus(network.join(Role::kCoordinator)), detection(scene, kDetectionMargin) {
     for (unsigned left = hands; left > 0;) {
       const unsigned threads = left > 2 ? 2 : 1;
       workers.push_back(std::make_unique<InProcessWorker>(network, threads));
@@ -105,7 +105,7 @@ struct Cluster {
     const auto turn = [this](Bus&, std::optional<Time>) { return advance(); };
     auto port = std::make_unique<DirectPort>(*bus, board, 1, turn);
     DirectPort* const pumped = port.get();
-    crew = std::make_unique<RemoteCrew>(std::move(port), scene);
+    crew = std::make_unique<RemoteCrew>(std::move(port), detection);
     while (board.threads() < hands) pumped->turn();
   }
 
@@ -119,6 +119,7 @@ struct Cluster {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   SimulatedNetwork network;
   std::unique_ptr<Bus> bus;
+  CollisionWorld detection;
   TaskBoard board{TaskBoard::Settings{}};
   std::vector<std::unique_ptr<InProcessWorker>> workers;
   std::unique_ptr<Crew> crew;

@@ -9,8 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "client/engine/local_workforce.h"
+#include "client/engine/local_crew.h"
 #include "coordinator/arc.h"
+#include "coordinator/foreman.h"
 #include "coordinator/whole_problem.h"
 #include "tests/support/checked_workforce.h"
 #include "tests/support/planned_paths.h"
@@ -39,7 +40,7 @@ void expect_no_faults(const std::string& scene_name, const std::vector<std::stri
   ASSERT_NE(scene, nullptr);
   const CollisionWorld planning(scene, kPlanningMargin), detection(scene, kDetectionMargin);
   const std::atomic<bool> stop{false};
-  LocalWorkforce workforce(planning, solvers, 1);
+  Foreman workforce(std::make_unique<LocalCrew>(planning, 1), solvers);
   testing::CheckedWorkforce checked(scene, workforce);
   MethodType method(planning, detection, seed, checked, stop, {});
   EXPECT_EQ(method.run().status, PlanStatus::kSolved);

@@ -20,7 +20,7 @@ class Workers : public Workforce {
       : scene_(scene), world_(scene, kPlanningMargin), worker_(world_) {}
 
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
-                                const std::atomic<bool>& stop) override {
+                                const std::atomic<bool>& stop, const Foresight&) override {
     std::vector<Resolution> out;
     for (const Subproblem& subproblem : subproblems) out.push_back(one(subproblem, stop));
     return out;

@@ -26,9 +26,10 @@ class CheckedWorkforce final : public Workforce {
   Duration spent_on_checks{};
 
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
-                                const std::atomic<bool>& stop) override {
+                                const std::atomic<bool>& stop,
+                                const Foresight& foresight) override {
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<Resolution> resolutions = workforce_.solve(subproblems, stop);
+    std::vector<Resolution> resolutions = workforce_.solve(subproblems, stop, foresight);
     const auto middle = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < resolutions.size(); ++i) {
       if (resolutions[i].solved || resolutions[i].improves()) ++solved;

@@ -10,10 +10,12 @@
 
 #include "client/engine/local_crew.h"
 #include "common/geometry/tolerances.h"
+#include "common/io/plan_file.h"
 #include "common/io/scene_file.h"
 #include "common/planning/method_names.h"
 #include "coordinator/arc.h"
 #include "coordinator/foreman.h"
+#include "coordinator/planner.h"
 
 namespace accord::testing {
 
@@ -36,6 +38,20 @@ inline std::vector<Trajectory> paths_planned_in_process(const std::shared_ptr<co
   const CollisionWorld world(scene, kPlanningMargin);
   Foreman workforce(std::make_unique<LocalCrew>(world, 1), default_solver_names());
   return planned_paths(scene, workforce);
+}
+
+// The whole plan with its statistics, but for what the clock says.
+inline std::string planned_bytes(const std::shared_ptr<const Scene>& scene,
+                                 const CrewFactory& make_crew) {
+  const Plan plan = plan_with(make_crew, scene, {});
+  EXPECT_EQ(plan.status, PlanStatus::kSolved) << plan.message;
+  return canonical_bytes(plan);
+}
+
+inline std::string bytes_planned_in_process(const std::shared_ptr<const Scene>& scene) {
+  return planned_bytes(scene, [](const CollisionWorld& planning, const CollisionWorld&) {
+    return std::make_unique<LocalCrew>(planning, 1);
+  });
 }
 
 // One of scenes/.

@@ -58,6 +58,9 @@ PlanAssembly::PlanAssembly(Time patience)
 std::optional<FinishedPlan> PlanAssembly::add(PlanOutline outline, Time now) {
   const auto plan = open(outline.id, outline.version, now);
   if (plan == plans_.end()) return std::nullopt;
+  // A plan without paths is all here. What else has come is of a service that was killed, where
+  // the request would have ended otherwise.
+  if (outline.plan.robots.empty()) drop_parts(plan->second);
   if (plan->second.outline) return std::nullopt;
   const std::size_t bytes = memory_of(outline);
   plan->second.outline = std::move(outline);
@@ -211,6 +214,13 @@ bool PlanAssembly::account(Plans::iterator grown, std::size_t bytes) {
     forget(quietest);
   }
   return true;
+}
+
+void PlanAssembly::drop_parts(Open& plan) {
+  bytes_ -= std::exchange(plan.bytes, 0);
+  plan.outline.reset();
+  plan.paths.clear();
+  plan.complete_paths = 0;
 }
 
 void PlanAssembly::forget(Plans::iterator plan) {

@@ -68,6 +68,7 @@ class PlanAssembly {
   std::optional<FinishedPlan> joined(Open plan);
   Time due(const Open& plan) const;
   bool account(Plans::iterator grown, std::size_t bytes);
+  void drop_parts(Open& plan);
   void forget(Plans::iterator plan);
 
   Time patience_;

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
+#include "common/planning/identity.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/coordinator/scripted_workforce.h"
 
@@ -49,6 +53,112 @@ TEST_F(ArcTest, HasConflictsThatShareNoRobotsSolvedInOneRound) {
   workforce_.team = [](const Subproblem& s) { return ScriptedWorkforce::solved(s, 2); };
   EXPECT_EQ(run(crossings(4)).status, PlanStatus::kSolved);
   EXPECT_EQ(workforce_.rounds, (std::vector<std::size_t>{4}));
+}
+
+// Asks for foresight, knowing what will become of everything, before it does anything. Has planning
+// stopped after a while.
+class Foreseeing final : public Workforce {
+ public:
+  Foreseeing(Workforce& workforce, std::atomic<bool>& stop) : workforce_(workforce), stop_(stop) {}
+
+  std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
+                                const std::atomic<bool>& stop,
+                                const Foresight& foresight) override {
+    for (const Subproblem& subproblem : subproblems) {
+      const bool was_foreseen = std::ranges::any_of(
+          foreseen_, [&](const Subproblem& one) { return are_identical(one, subproblem); });
+      if (foresaw_) ++(was_foreseen ? right : wrong);
+    }
+    const Likely likely = [&](const Subproblem& subproblem) {
+      std::optional<Resolution> resolution;
+      if (knows(subproblem)) resolution = workforce_.solve({subproblem}, stop, {}).front();
+      return resolution;
+    };
+    foresaw_ = looks_ahead && foresight;
+    if (foresaw_) foreseen_ = foresight(likely, 1000);
+    if (foresaw_) look(subproblems, foreseen_);
+    auto resolutions = workforce_.solve(subproblems, stop, {});
+    constexpr int kCalls = 40;
+    stop_ = ++calls_ == kCalls;
+    return resolutions;
+  }
+
+  std::function<bool(const Subproblem&)> knows = [](const Subproblem&) { return true; };
+  // At what was asked for and what was foreseen then.
+  std::function<void(const std::vector<Subproblem>&, const std::vector<Subproblem>&)> look =
+      [](const auto&, const auto&) {};
+  bool looks_ahead = true;
+  int right = 0, wrong = 0;
+
+ private:
+  Workforce& workforce_;
+  std::atomic<bool>& stop_;
+  int calls_ = 0;
+  bool foresaw_ = false;
+  std::vector<Subproblem> foreseen_;
+};
+
+// Discs that cross in many places. Every other team is exhausted, the others wait a little.
+std::shared_ptr<const Scene> grid(ScriptedWorkforce& workforce) {
+  workforce.team = [](const Subproblem& s) {
+    return s.seed % 2 == 0 ? Resolution{} : ScriptedWorkforce::solved(s, 1);
+  };
+  testing::SceneBuilder builder(-40, -40, 40, 40);
+  for (int i = 0; i < 6; ++i) {
+    const double at = 6.0 * i - 15;
+    builder.disk(0.5, {-20, at}, {20, at}).disk(0.5, {at, -20}, {at, 20});
+  }
+  return builder.build();
+}
+
+bool share_robots(const Subproblem& a, const Subproblem& b) {
+  return std::ranges::any_of(a.tasks, [&](const Task& task) {
+    return std::ranges::find(b.tasks, task.robot, &Task::robot) != b.tasks.end();
+  });
+}
+
+TEST_F(ArcTest, ForeseesNothingForRobotsThatAreStillBeingPlanned) {
+  const auto scene = grid(workforce_);
+  const CollisionWorld planning(scene, kPlanningMargin), detection(scene, 0.5 * kPlanningMargin);
+  Foreseeing foreseeing(workforce_, stop_);
+  foreseeing.knows = [](const Subproblem& s) { return s.seed % 3 != 0; };
+  int looked = 0;
+  foreseeing.look = [&](const auto& asked, const auto& foreseen) {
+    for (const Subproblem& one : asked) {
+      if (foreseeing.knows(one)) continue;
+      for (const Subproblem& later : foreseen) {
+        ++looked;
+        EXPECT_TRUE(later.seed == one.seed || !share_robots(later, one))
+            << "its outsiders left out, or nothing";
+      }
+    }
+  };
+  Arc arc(planning, detection, 1, foreseeing, stop_, nullptr);
+  arc.run();
+  EXPECT_GT(looked, 10);
+}
+
+TEST_F(ArcTest, ForeseesAllThatItAsksForWhereItKnowsWhatIsLikely) {
+  const auto scene = grid(workforce_);
+  const CollisionWorld planning(scene, kPlanningMargin), detection(scene, 0.5 * kPlanningMargin);
+  Foreseeing foreseeing(workforce_, stop_);
+  Arc arc(planning, detection, 1, foreseeing, stop_, nullptr);
+  arc.run();
+  EXPECT_GT(foreseeing.right, 20);
+  EXPECT_EQ(foreseeing.wrong, 0);
+  // And looking ahead has changed nothing.
+  stop_ = false;
+  Foreseeing blind(workforce_, stop_);
+  blind.looks_ahead = false;
+  Arc plain(planning, detection, 1, blind, stop_, nullptr);
+  plain.run();
+  EXPECT_EQ(arc.statistics().conflicts_found, plain.statistics().conflicts_found);
+  EXPECT_EQ(arc.statistics().pair_checks, plain.statistics().pair_checks);
+  EXPECT_EQ(arc.statistics().distance_queries, plain.statistics().distance_queries);
+  EXPECT_EQ(arc.statistics().rounds, plain.statistics().rounds);
+  for (std::uint32_t id = 0; id < 12; ++id) {
+    EXPECT_EQ(arc.schedule().path({id}), plain.schedule().path({id}));
+  }
 }
 
 TEST_F(ArcTest, NamesTheRobotThatHasNoWayOnItsOwn) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -42,7 +43,7 @@ class ForemanTest : public ::testing::Test {
     crew_->outcome = outcome_;
     crew_->next = next_;
     foreman_.emplace(std::move(crew), kSolvers);
-    return foreman_->solve(subproblems, stop_);
+    return foreman_->solve(subproblems, stop_, foresight_);
   }
 
   std::vector<std::string> begun_ahead() const {
@@ -56,6 +57,7 @@ class ForemanTest : public ::testing::Test {
   std::atomic<bool> stop_{false};
   std::function<Attempted(const Attempt&)> outcome_ = [](const Attempt&) { return Attempted{}; };
   std::function<std::size_t(std::size_t)> next_ = [](std::size_t) { return 0U; };
+  Foresight foresight_;
   ScriptedCrew* crew_ = nullptr;
   std::optional<Foreman> foreman_;
 };
@@ -104,13 +106,107 @@ TEST_F(ForemanTest, GivesWhatOneLevelAfterAnotherGivesWhateverEndsFirst) {
     for (std::uint64_t i = 0; i <= random.below(5); ++i) {
       subproblems.push_back(team(combine({seed, i}), 2, 1 + random.below(6)));
     }
-    const auto resolutions = solve(1 + random.below(7), subproblems);
-    for (std::size_t i = 0; i < subproblems.size(); ++i) {
-      ASSERT_EQ(encode_resolution(resolutions[i]),
-                encode_resolution(one_after_another(subproblems[i], kLevels)))
-          << "seed " << seed;
-    }
+    // What is foreseen may be asked for or not, and may be something else each time.
+    const auto later = team(combine({seed, 77}));
+    foresight_ = [&](const Likely& likely, std::size_t) {
+      std::vector<Subproblem> out;
+      if (random.below(3) > 0) out.push_back(later);
+      if (random.below(3) > 0) out.push_back(team(random.next()));
+      for (const Subproblem& subproblem : subproblems) {
+        if (likely(subproblem)) out.push_back(team(combine({subproblem.seed, 5})));
+      }
+      return out;
+    };
+    const auto check = [&](const std::vector<Resolution>& resolutions) {
+      for (std::size_t i = 0; i < subproblems.size(); ++i) {
+        ASSERT_EQ(encode_resolution(resolutions[i]),
+                  encode_resolution(one_after_another(subproblems[i], kLevels)))
+            << "seed " << seed;
+      }
+    };
+    check(solve(1 + random.below(7), subproblems));
+    subproblems = {later, team(combine({subproblems.front().seed, 5}))};
+    check(foreman_->solve(subproblems, stop_, foresight_));
   }
+}
+
+TEST_F(ForemanTest, HasWhatItForesawAtHandWhenTheVerySameIsAskedFor) {
+  outcome_ = [](const Attempt& attempt) {
+    Attempted out;
+    out.seconds = 0.1;
+    out.resolution.solved = attempt.solvers.front() == "composite-prm";
+    return out;
+  };
+  foresight_ = [](const Likely&, std::size_t) { return std::vector<Subproblem>{team(2)}; };
+  solve(6, {team(1)});
+  const std::size_t begun = crew_->begun.size();
+  EXPECT_EQ(begun, 6U) << "three levels of each";
+  foreman_->solve({team(2)}, stop_, {});
+  EXPECT_EQ(crew_->begun.size(), begun) << "all of it was under way";
+}
+
+// Not even what differs by a sign of zero.
+TEST_F(ForemanTest, TakesNothingElseForWhatIsAskedFor) {
+  outcome_ = [](const Attempt& attempt) {
+    Attempted out;
+    out.seconds = 0.1;
+    out.resolution.solved = true;
+    out.resolution.solver = std::signbit(attempt.subproblem->from) ? "minus" : "plus";
+    return out;
+  };
+  foresight_ = [](const Likely&, std::size_t) { return std::vector<Subproblem>{team(2)}; };
+  solve(6, {team(1)});
+  Subproblem other = team(2);
+  other.from = -0.0;
+  EXPECT_EQ(foreman_->solve({other}, stop_, {}).front().solver, "minus");
+}
+
+TEST_F(ForemanTest, DropsWhatIsNotForeseenAnyMore) {
+  std::uint64_t seed = 1;
+  outcome_ = [](const Attempt&) {
+    Attempted out;
+    out.seconds = 0.1;
+    return out;
+  };
+  foresight_ = [&](const Likely&, std::size_t) { return std::vector<Subproblem>{team(++seed)}; };
+  solve(6, {team(1)});
+  EXPECT_FALSE(crew_->dropped.empty());
+  std::set<std::uint64_t> seeds;
+  for (const Attempt& attempt : crew_->under_way) seeds.insert(attempt.subproblem->seed);
+  EXPECT_LE(seeds.size(), 1U) << "nobody works on what was foreseen before";
+}
+
+TEST_F(ForemanTest, AsksForNoForesightWhileAllHandsAreNeeded) {
+  bool was_asked = false;
+  foresight_ = [&](const Likely&, std::size_t) {
+    was_asked = true;
+    return std::vector<Subproblem>{};
+  };
+  solve(1, {team(1), team(2)});
+  EXPECT_FALSE(was_asked);
+}
+
+TEST_F(ForemanTest, TellsForesightWhatIsLikely) {
+  // The last level has solved it; the second one is still being tried.
+  next_ = [](std::size_t under_way) { return under_way - 1; };
+  outcome_ = [](const Attempt& attempt) {
+    Attempted out;
+    out.seconds = 0.1;
+    out.resolution.solved = attempt.solvers.front() == "composite-prm";
+    out.resolution.solver = attempt.solvers.front();
+    out.resolution.effort.searches = 3;
+    return out;
+  };
+  std::vector<std::string> likely_solvers;
+  foresight_ = [&](const Likely& likely, std::size_t) {
+    const auto resolution = likely(team(1));
+    if (resolution && resolution->solved) likely_solvers.push_back(resolution->solver);
+    EXPECT_TRUE(!resolution || resolution->effort.searches == 0);
+    EXPECT_FALSE(likely(team(9)));
+    return std::vector<Subproblem>{};
+  };
+  EXPECT_TRUE(solve(4, {team(1)}).front().solved);
+  EXPECT_FALSE(likely_solvers.empty());
 }
 
 TEST_F(ForemanTest, LetsHandsThatWouldIdleTryLaterLevels) {
@@ -162,7 +258,7 @@ TEST_F(ForemanTest, LearnsWhichOnesTakeLong) {
     return out;
   };
   solve(4, {team(1, 2, 2)});
-  foreman_->solve({team(2, 2, 2)}, stop_);
+  foreman_->solve({team(2, 2, 2)}, stop_, {});
   EXPECT_EQ(crew_->begun.size(), 4U);
 }
 
@@ -176,7 +272,7 @@ TEST_F(ForemanTest, AsksOnlySolversThatAreMeantForIt) {
 
 TEST_F(ForemanTest, AsksNobodyWhereNoSolverIsMeantForIt) {
   Foreman foreman(std::make_unique<ScriptedCrew>(2), {"lockstep-query"});
-  EXPECT_FALSE(foreman.solve({team(1)}, stop_).front().solved);
+  EXPECT_FALSE(foreman.solve({team(1)}, stop_, {}).front().solved);
 }
 
 TEST_F(ForemanTest, ThrowsWhatNobodyCouldCarryOutIfItIsNeeded) {

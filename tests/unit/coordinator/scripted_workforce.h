@@ -27,7 +27,7 @@ class ScriptedWorkforce final : public Workforce {
   std::vector<std::size_t> rounds;  // how many teams were to be solved at once
 
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
-                                const std::atomic<bool>&) override {
+                                const std::atomic<bool>&, const Foresight&) override {
     std::vector<Resolution> out;
     for (const Subproblem& subproblem : subproblems) {
       out.push_back(subproblem.tasks.size() == 1 ? alone(subproblem) : team(subproblem));

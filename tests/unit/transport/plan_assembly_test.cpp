@@ -188,6 +188,19 @@ TEST_F(Assembly, DropsPartsThatContradictOthers) {
   EXPECT_EQ(assembly_.malformed(), 2);
 }
 
+// A service was killed as its plan was on its way, and the request was cancelled after that.
+TEST_F(Assembly, GivesAnEndWithoutPathsWhateverHasComeOfAPlanBefore) {
+  completes(outline_);
+  completes(pieces_[0]);
+  PlanOutline cancelled = outline_;
+  cancelled.plan.robots.clear();
+  cancelled.plan.status = PlanStatus::kCancelled;
+  const auto given = assembly_.add(cancelled, now_);
+  ASSERT_TRUE(given);
+  EXPECT_EQ(given->plan.status, PlanStatus::kCancelled);
+  EXPECT_EQ(assembly_.malformed(), 0U);
+}
+
 TEST_F(Assembly, DropsPlansThatAreNone) {
   const auto spoilt_by = [&](const auto& spoil) {
     assembly_ = PlanAssembly(200ms);

@@ -324,6 +324,37 @@ TEST_F(RequestDeskTest, StopsARequestThatIsBeingPlanned) {
   EXPECT_EQ(replies_.back().reason, Rejection::kUnknownRequest);
 }
 
+// Else a crash in between would have it planned after all.
+TEST_F(RequestDeskTest, SaysThatARequestIsCancelledOnceThatIsWritten) {
+  open();
+  submit("a");
+  disk_is_slow_ = true;
+  cancel("a");
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("a", cancelled);
+  ask_again("a");
+  EXPECT_THAT(plans_, IsEmpty());
+  EXPECT_NE(states_.back().phase, RequestPhase::kFinished);
+  write();
+  settle();
+  ASSERT_THAT(plans_, SizeIs(1));
+  EXPECT_EQ(states_.back().phase, RequestPhase::kFinished);
+  EXPECT_EQ((*journal_.find("a"))->outcome->status, PlanStatus::kCancelled);
+}
+
+TEST_F(RequestDeskTest, SaysThatARequestIsCancelledWhereThatCannotBeWritten) {
+  open();
+  submit("a");
+  submit("b");
+  journal_.fail_next_writes(1);
+  cancel("b");
+  ASSERT_THAT(plans_, SizeIs(1));
+  pass(std::chrono::milliseconds(1500));
+  EXPECT_THAT(plans_, SizeIs(1)) << "it was said already";
+  EXPECT_TRUE((*journal_.find("b"))->outcome);
+}
+
 TEST_F(RequestDeskTest, CountsADeadlineFromItsAcceptance) {
   RequestDesk::Settings settings;
   settings.planning = 1;
@@ -379,6 +410,64 @@ TEST_F(RequestDeskTest, LeavesWhatItDoesNotFinishForTheNextOneWhenItIsDrained) {
   EXPECT_THAT(plans_, IsEmpty());
   EXPECT_TRUE(desk_->is_done());
   EXPECT_EQ(journal_.unfinished()->size(), 2U);
+}
+
+// Who was told "unknown" would submit it again, and be told that nothing is accepted any more.
+TEST_F(RequestDeskTest, StillKnowsWhatItLeavesForTheNextOne) {
+  open();
+  submit("a");
+  desk_->drain(now_);
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("a", cancelled);
+  EXPECT_TRUE(desk_->is_done());
+  begun_.clear();
+  ask_again("a");
+  EXPECT_TRUE(replies_.back().accepted);
+  EXPECT_EQ(states_.back().phase, RequestPhase::kQueued);
+  EXPECT_THAT(begun_, IsEmpty());
+}
+
+TEST_F(RequestDeskTest, DoesNotWaitForAFullDiskWhenItIsDrained) {
+  open();
+  submit("a");
+  submit("b");
+  journal_.fail_next_writes(100);
+  finish("a");
+  desk_->drain(now_);
+  settle();
+  Plan cancelled;
+  cancelled.status = PlanStatus::kCancelled;
+  finish("b", cancelled);
+  EXPECT_TRUE(desk_->is_done());
+  EXPECT_EQ(journal_.unfinished()->size(), 2U);
+  ask_again("a");
+  EXPECT_TRUE(replies_.back().accepted);
+  EXPECT_EQ(plans_.back().id, "a") << "it is there for whoever asks meanwhile";
+}
+
+TEST_F(RequestDeskTest, WritesWhatTheDiskHadNoRoomForBeforeItEnds) {
+  open();
+  submit("a");
+  journal_.fail_next_writes(1);
+  finish("a");
+  desk_->drain(now_);
+  settle();
+  EXPECT_TRUE(desk_->is_done());
+  EXPECT_TRUE((*journal_.find("a"))->outcome);
+}
+
+// It would be accepted, and neither planned nor ended where nothing outlives the process.
+TEST_F(RequestDeskTest, RefusesWhatWasBeingReadWhenItIsDrained) {
+  RequestDesk::Settings settings;
+  settings.outlives = false;
+  open(settings);
+  desk_->on_request(request_of("a"), now_);
+  desk_->drain(now_);
+  settle();
+  ASSERT_THAT(replies_, SizeIs(1));
+  EXPECT_EQ(replies_[0].reason, Rejection::kShuttingDown);
+  EXPECT_TRUE(desk_->is_done());
 }
 
 TEST_F(RequestDeskTest, EndsEverythingWhenItIsDrainedAndTheJournalDoesNotOutliveIt) {

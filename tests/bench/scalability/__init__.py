@@ -1,0 +1,1 @@
+"""What tests/bench/scaling does: measures runs on this machine, and reads those simulated."""
