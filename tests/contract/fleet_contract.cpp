@@ -368,11 +368,15 @@ void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
   find_service(late);
   require(until([&] { return has(late, latest.back()); }, late, service),
           "who came later was not told how the service is");
-  until([&] { return late.news.size() >= latest.size() - 1; }, late, service);
+  const auto is_old = [&](const FleetNews& one) {
+    const bool is_status = std::holds_alternative<ServiceStatus>(one);
+    return std::holds_alternative<RequestReply>(one) || (is_status && !same(one, latest.back()));
+  };
+  const auto told = latest.size() - static_cast<std::size_t>(std::ranges::count_if(latest, is_old));
+  until([&] { return late.news.size() >= told; }, late, service);
+  listen(kQuiet, late, service);
   for (const FleetNews& one : latest) {
-    const auto* status = std::get_if<ServiceStatus>(&one);
-    const bool old = status != nullptr && !same(one, latest.back());
-    require(has(late, one) != old, "who came later was not told the latest");
+    require(has(late, one) != is_old(one), "who came later was not told the latest, and that alone");
   }
   require(late.received<FinishedPlan>().empty(), "an old plan came unasked");
   deliver(late, service, ResendRequest{"1"});

@@ -8,9 +8,10 @@ namespace {
 // How much of a kind of part is kept for who comes later.
 std::size_t kept(const FleetPart& part) {
   if (std::holds_alternative<ServiceStatus>(part)) return 1;
-  const bool of_plan =
-      std::holds_alternative<PlanOutline>(part) || std::holds_alternative<PathPiece>(part);
-  return of_plan ? 0 : SimulatedFleetCore::kLatest;
+  const bool of_one_question = std::holds_alternative<RequestReply>(part) ||
+                               std::holds_alternative<PlanOutline>(part) ||
+                               std::holds_alternative<PathPiece>(part);
+  return of_one_question ? 0 : SimulatedFleetCore::kLatest;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct FleetTopic {
   enum class Kind { kRequest, kNews } kind;
   std::size_t writer_depth;
   std::size_t reader_depth;
-  // Whether who comes later gets the writer's history. Paths are too many: they are asked for.
+  // Whether who comes later gets the writer's history. Paths are too many: they are asked for. And
+  // why a request was refused an hour ago is no answer to the same request now.
   bool late;
 };
 
@@ -34,7 +35,7 @@ inline constexpr FleetTopic kFleetTopic<ResendRequest>{"resends", FleetTopic::Ki
                                                        4096, false};
 template <>
 inline constexpr FleetTopic kFleetTopic<RequestReply>{"replies", FleetTopic::Kind::kNews, 1024,
-                                                      1024, true};
+                                                      1024, false};
 template <>
 inline constexpr FleetTopic kFleetTopic<RequestState>{"statuses", FleetTopic::Kind::kNews, 1024,
                                                       1024, true};
