@@ -51,11 +51,11 @@ struct DdsOptions {
   std::chrono::milliseconds announcement{200};        // from one sign of life to the next
   std::size_t segment_bytes = std::size_t{64} << 20;  // of shared memory, for what this one sends;
                                                       // containers have 64 MB of it unless told
-  // Of what goes out at once; longer messages go in parts. A datagram is lost with any of its frames,
-  // so on links that lose many it should fit in one: 1452. Shared memory, where it is in use beside
-  // UDP, has the same parts.
+  // Of what goes out at once; longer messages go in parts. A datagram is lost with any of its
+  // frames, so on links that lose many it should fit in one: 1452. Shared memory, where it is in
+  // use beside UDP, has the same parts.
   std::size_t datagram_bytes = kMostDatagramBytes;
-  std::uint32_t protocol = kProtocol;                 // another one: for tests of strangers
+  std::uint32_t protocol = kProtocol;  // another one: for tests of strangers
 };
 
 // Letters, digits, '-', '_', '.'; 1 to 64 of them.

@@ -101,7 +101,11 @@ TEST_F(DdsProcesses, AreFoundAndAnswerOverSharedMemoryAndLeaveNothingThere) {
   EXPECT_EQ(peer.wait(), 0);
   EXPECT_TRUE(until([&] { return bus_->peers().empty(); }, 5s));
   bus_.reset();
-  for (const std::string& file : files) EXPECT_FALSE(std::filesystem::exists(file)) << file;
+  for (const std::string& file : files) {
+    // Ports go by the domain's number, which others on this machine may have drawn, too.
+    if (file.find("fastrtps_port") != std::string::npos) continue;
+    EXPECT_FALSE(std::filesystem::exists(file)) << file;
+  }
 }
 
 TEST_F(DdsProcesses, AreFoundAndAnswerOverUdp) {

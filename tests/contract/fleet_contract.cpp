@@ -376,7 +376,8 @@ void who_comes_later_hears_the_latest_and_asks_for_plans(World& world) {
   until([&] { return late.news.size() >= told; }, late, service);
   listen(kQuiet, late, service);
   for (const FleetNews& one : latest) {
-    require(has(late, one) != is_old(one), "who came later was not told the latest, and that alone");
+    require(has(late, one) != is_old(one),
+            "who came later was not told the latest, and that alone");
   }
   require(late.received<FinishedPlan>().empty(), "an old plan came unasked");
   deliver(late, service, ResendRequest{"1"});

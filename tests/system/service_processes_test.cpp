@@ -90,7 +90,9 @@ TEST(Service, ServesAFinishedPlanAgainAfterARestart) {
   service.start_worker();
   const auto first = service.plan(request_for("peer-inlet"));
   ASSERT_TRUE(first);
-  service.kill_coordinator();
+  // Asked to end, it waits for the disk: a plan is handed out before it is in the journal.
+  service.coordinator().signal(SIGTERM);
+  EXPECT_EQ(service.coordinator().wait(), 0);
   service.workers().clear();  // nobody is there to plan it anew
   service.start_coordinator();
   const auto again = service.plan(request_for("peer-inlet"));
