@@ -20,11 +20,13 @@ using testing::planned_here;
 using testing::request_for;
 
 constexpr int kStrikes = 5;  // of a round
+// More workers die than strikes fall: no task is to take the blame for it.
+const std::vector<std::string> kForgiving{"--deaths", "20"};
 
 class Round {
  public:
   explicit Round(std::uint64_t seed) : random_(seed), manager_(service_.port(), patient()) {
-    service_.start_coordinator();
+    service_.start_coordinator(kForgiving);
     service_.start_worker();
     service_.start_worker();
   }
@@ -77,7 +79,7 @@ class Round {
       case 2:
         story_.emplace_back("kill -9 of the coordinator");
         service_.kill_coordinator();
-        service_.start_coordinator();
+        service_.start_coordinator(kForgiving);
         break;
       case 3:
         story_.emplace_back("SIGSTOP of a worker");
@@ -95,7 +97,7 @@ class Round {
       default:
         story_.emplace_back("SIGTERM to the coordinator");
         end_coordinator();
-        service_.start_coordinator();
+        service_.start_coordinator(kForgiving);
         break;
     }
   }
@@ -133,7 +135,6 @@ TEST(ServiceThatIsKilled, LosesNothingAndChangesNothing) {
                                         "low-mobile-32"};
   std::map<std::string, std::string> expected;  // by id
   for (const std::string& scene : scenes) expected[scene + "-1"] = planned_here(scene);
-  std::uint64_t given_up = 0;
   for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
     Round round(seed);
     for (const std::string& scene : scenes) round.submit(scene, 1);
@@ -146,14 +147,9 @@ TEST(ServiceThatIsKilled, LosesNothingAndChangesNothing) {
       const auto* plan = std::get_if<Plan>(&end->second);
       ASSERT_NE(plan, nullptr) << story << " " << id << ": "
                                << std::get<NoAnswer>(end->second).reply.text;
-      if (plan->message.starts_with("given up: ")) {
-        ++given_up;  // workers died three times in a row of one task alone: it takes the blame
-      } else {
-        EXPECT_EQ(canonical_bytes(*plan), bytes) << story << " " << id << ": " << plan->message;
-      }
+      EXPECT_EQ(canonical_bytes(*plan), bytes) << story << " " << id << ": " << plan->message;
     }
   }
-  EXPECT_LE(given_up, rounds * scenes.size() / 50);
 }
 
 }  // namespace
