@@ -88,6 +88,9 @@ void FleetManager::on_reply(Waiting& waiting, RequestReply reply) {
     waiting.is_accepted = false;
     waiting.since = waiting.ask_at = Clock::now();
     waiting.again = settings_.again;
+  } else if (reply.reason == Rejection::kShuttingDown) {
+    // Another one may come, and within the patience it is waited for.
+    heard_of(waiting);
   } else {
     const std::string id = reply.id;
     end(id, NoAnswer{NoAnswer::Why::kRejected, std::move(reply)});

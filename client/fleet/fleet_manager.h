@@ -26,7 +26,7 @@ namespace accord {
 struct NoAnswer {
   enum class Why {
     kRejected,   // by the service: `reply` says why
-    kNoService,  // none has answered within the patience
+    kNoService,  // none has answered within the patience, but for ones that were about to end
   };
   Why why = Why::kNoService;
   RequestReply reply = {};

@@ -63,6 +63,7 @@ class ScriptedService {
 
   std::atomic<bool> finishes = true;      // what it has accepted
   std::atomic<bool> answers = true;       // anything at all
+  std::atomic<bool> is_ending = false;    // it takes nothing more
   std::atomic<std::size_t> accepted = 0;  // requests, each counted once
   std::atomic<std::size_t> asked = 0;
 
@@ -79,6 +80,10 @@ class ScriptedService {
   void answer(const PlanRequest& request) {
     if (request.id.starts_with("bad")) {
       port_->publish(RequestReply{request.id, false, Rejection::kBadScene, "robots", "no robots"});
+      return;
+    }
+    if (is_ending) {
+      port_->publish(RequestReply{request.id, false, Rejection::kShuttingDown, "", "about to end"});
       return;
     }
     if (known_.insert(request.id).second) ++accepted;
@@ -271,6 +276,26 @@ TEST_F(FleetManagerTest, CancelsTheOneRequestWhenItIsToStop) {
       request_of("a"), [&](const RequestState&) { stop = true; }, stop);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->status, PlanStatus::kCancelled);
+}
+
+TEST(FleetManager, WaitsForTheServiceThatComesAfterOneThatIsAboutToEnd) {
+  SimulatedFleet fleet(1);
+  const auto port = fleet.join();
+  FleetManager manager(*port, quick());
+  std::optional<ScriptedService> service;
+  service.emplace(fleet);
+  service->is_ending = true;
+  manager.submit(request_of("a"));
+  EXPECT_FALSE(manager.next(100ms)) << "that is no end";
+  EXPECT_GT(service->asked, 0U);
+  service->is_ending = false;
+  std::optional<Plan> plan;
+  while (!plan) {
+    auto event = manager.next(5s);
+    ASSERT_TRUE(event);
+    if (auto* found = std::get_if<Plan>(&event->what)) plan = std::move(*found);
+  }
+  EXPECT_EQ(plan->status, PlanStatus::kSolved);
 }
 
 }  // namespace
