@@ -27,8 +27,8 @@ HOSTS = ("manager", "hub", "first", "second", "directory")
 SCENES = ("mixed-floor", "high-manipulator-4", "low-mobile-32", "random-crossing-0300")
 SOLVED = 0
 PATIENCE = 60  # s; finding each other takes some on a bad network
-# For bad links. A datagram of 64 KiB is 45 frames: it is hardly ever whole, and what did come of it
-# fills the kernel's room for fragments, or a slow link's queue.
+# For bad links: a datagram of 64 KiB is 45 frames, which never all arrive, or do not fit into a slow
+# link's queue.
 ONE_FRAME = ["--dds-datagram-bytes", "1452"]
 WHY_NOT = topology.why_not()
 
@@ -101,7 +101,7 @@ class Discovery(HostsTest):
             host, ["fast-discovery-server", "-i", 0, "-l", address, "-p", 11811],
             stdout=subprocess.DEVNULL)
         self.addCleanup(server.wait)
-        self.addCleanup(server.kill)
+        self.addCleanup(server.send_signal, signal.SIGINT)  # else it leaves its shared memory behind
         self.settings = ["--discovery", "server", "--address", f"{address}:11811"]
         self.assert_all_plans()
 
