@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "common/geometry/collision_world.h"
 #include "common/geometry/tolerances.h"
@@ -85,6 +86,20 @@ std::vector<std::string> hierarchy(const PlanOptions& options) {
 
 }  // namespace
 
+Plan unsolved_plan(const Scene* scene, const PlanOptions& options, PlanStatus status,
+                   std::string message) {
+  Plan plan;
+  if (scene != nullptr) {
+    plan.scene = scene->name;
+    plan.timestep = scene->timestep;
+  }
+  plan.method = options.method;
+  plan.seed = options.seed;
+  plan.status = status;
+  plan.message = std::move(message);
+  return plan;
+}
+
 Plan plan_with(const CrewFactory& make_crew, const std::shared_ptr<const Scene>& scene,
                const PlanOptions& options, const ProgressCallback& progress,
                const std::atomic<bool>* cancel) {
@@ -103,14 +118,8 @@ Plan plan_with(const CrewFactory& make_crew, const std::shared_ptr<const Scene>&
                                             watchdog.stop(), report);
   }
 
-  Plan plan;
-  plan.scene = scene->name;
-  plan.method = options.method;
-  plan.seed = options.seed;
-  plan.timestep = scene->timestep;
   const Outcome outcome = method->run();
-  plan.status = outcome.status;
-  plan.message = outcome.message;
+  Plan plan = unsolved_plan(scene.get(), options, outcome.status, outcome.message);
   if (outcome.status == PlanStatus::kCancelled) {
     if (watchdog.timed_out()) plan.status = PlanStatus::kTimeout;
     plan.message = (watchdog.timed_out() ? "the deadline passed " : "cancelled ") + outcome.message;

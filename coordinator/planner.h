@@ -32,6 +32,11 @@ struct PlanOptions {
 using CrewFactory = std::function<std::unique_ptr<Crew>(const CollisionWorld& planning,
                                                         const CollisionWorld& detection)>;
 
+// A plan of the request's identity that says why there is none. The scene may be null: then it is
+// not known.
+Plan unsolved_plan(const Scene* scene, const PlanOptions& options, PlanStatus status,
+                   std::string message);
+
 // `progress` is called from the thread that called plan_with(), at most every 50 ms and at each
 // change of phase. Returns a plan with status solved that the verifier has proved, or one whose
 // message says why there is none (infeasible, timeout, cancelled when `cancel` becomes true). A

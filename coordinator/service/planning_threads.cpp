@@ -14,16 +14,9 @@
 namespace accord {
 namespace {
 
-// A plan that says why there is none.
-Plan failed(const PlanningThreads::Job& job, std::string why) {
-  Plan plan;
-  plan.scene = job.scene->name;
-  plan.method = job.options.method;
-  plan.seed = job.options.seed;
-  plan.timestep = job.scene->timestep;
-  plan.status = PlanStatus::kCancelled;
-  plan.message = "given up: " + std::move(why);
-  return plan;
+// Nobody could plan it.
+Plan failed(const PlanningThreads::Job& job, const std::string& why) {
+  return unsolved_plan(job.scene.get(), job.options, PlanStatus::kCancelled, "given up: " + why);
 }
 
 // Requests are numbered on from the time, so that no task has the name of one that a worker still

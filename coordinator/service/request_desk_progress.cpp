@@ -161,16 +161,8 @@ void RequestDesk::on_planned(const std::string& id, Plan plan, std::string json,
 // A request that ends without having been planned.
 void RequestDesk::end(const std::string& id, Request& request, PlanStatus status,
                       std::string message, Now now) {
-  Plan& plan = request.plan;
-  if (request.scene) {
-    plan.scene = request.scene->name;
-    plan.timestep = request.scene->timestep;
-  }
-  plan.method = request.options.method;
-  plan.seed = request.options.seed;
-  plan.status = status;
-  plan.message = std::move(message);
-  request.json = to_json(plan);
+  request.plan = unsolved_plan(request.scene.get(), request.options, status, std::move(message));
+  request.json = to_json(request.plan);
   finish(id, request, now);
 }
 
