@@ -56,6 +56,7 @@ RequestFile request_for_scene(const std::string& path) {
   SceneResult read = parse_scene(*text, path, folder, files);
   out.scene = std::move(read.scene);
   out.faults = std::move(read.faults);
+  if (out.scene) out.request.scene_name = out.scene->name;
   out.request.scene_text = std::move(*text);
   out.request.attachments = files.take();
   return out;

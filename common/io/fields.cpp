@@ -208,6 +208,19 @@ std::optional<std::vector<double>> read_numbers(const Value& value,
   return numbers;
 }
 
+namespace {
+
+bool has_control_characters(std::string_view text) {
+  return text.find_first_of("\t\r\n") != std::string_view::npos ||
+         first_unprintable(text) != std::string_view::npos;
+}
+
+}  // namespace
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.size() <= limits::kNameBytes && !has_control_characters(text);
+}
+
 std::optional<std::string> read_name(const Value& value, Faults& faults) {
   if (!value.is_scalar() || value.text().empty()) {
     fault_at(value, "expected a name, not " + (value.is_scalar() ? "\"\"" : value.in_words()),
@@ -222,8 +235,7 @@ std::optional<std::string> read_name(const Value& value, Faults& faults) {
              faults);
     return std::nullopt;
   }
-  if (text.find_first_of("\t\r\n") != std::string_view::npos ||
-      first_unprintable(text) != std::string_view::npos) {
+  if (has_control_characters(text)) {
     fault_at(value, "expected a name without control characters, not " + in_quotes(text), faults);
     return std::nullopt;
   }

@@ -87,7 +87,10 @@ std::optional<std::vector<double>> read_numbers(const Value& value,
                                                 std::string_view expected, Range range,
                                                 Faults& faults);
 
-// A word or a quoted string: not empty, at most kNameBytes, without control characters.
+// Not empty, at most kNameBytes, UTF-8 without control characters.
+bool is_name(std::string_view text);
+
+// A word or a quoted string that is_name().
 std::optional<std::string> read_name(const Value& value, Faults& faults);
 
 // Reports and returns false unless the value is a list or map, respectively.

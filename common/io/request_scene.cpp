@@ -108,6 +108,11 @@ Loaded refuse(Rejection reason, std::string_view field, std::string_view text) {
 }
 
 Loaded load_attached(const PlanRequest& request) {
+  if (!request.scene_name.empty() && !is_name(request.scene_name)) {
+    return refuse(Rejection::kBadScene, "scene_name",
+                  "expected a name of at most " + std::to_string(limits::kNameBytes) +
+                      " bytes without control characters, not " + in_quotes(request.scene_name));
+  }
   Faults faults("");
   std::unordered_map<std::string, std::size_t> names;  // with the place of the first
   for (std::size_t i = 0; i < request.attachments.size(); ++i) {
@@ -124,7 +129,8 @@ Loaded load_attached(const PlanRequest& request) {
   if (faults.count() > 0) {
     return tl::unexpected(request_fault(Rejection::kBadScene, faults.take()));
   }
-  return loaded(parse_scene(request.scene_text, "scene", ".", AttachedFiles(request.attachments)));
+  return loaded(parse_scene(request.scene_text, "scene", ".", AttachedFiles(request.attachments),
+                            request.scene_name));
 }
 
 Loaded load_stored(const PlanRequest& request, const fs::path& folder) {
@@ -157,10 +163,7 @@ Loaded load_scene_of(const PlanRequest& request, const fs::path& stored_scenes) 
     return refuse(Rejection::kBadScene, "scene_text",
                   "expected a scene's text, or else the name of one in store");
   }
-  if (request.scene_name.empty()) return load_attached(request);
-  if (request.scene_text.empty()) return load_stored(request, stored_scenes);
-  return refuse(Rejection::kBadScene, "scene_name",
-                "expected either this or a scene's text, not both");
+  return request.scene_text.empty() ? load_stored(request, stored_scenes) : load_attached(request);
 }
 
 }  // namespace
@@ -176,7 +179,7 @@ Loaded load_request(const PlanRequest& request, const fs::path& stored_scenes,
   Loaded scene = load_scene_of(request, stored_scenes);
   if (!scene) return scene;
   if ((*scene)->robots.size() > limits.robots) {
-    return refuse(Rejection::kTooLarge, request.scene_name.empty() ? "scene_text" : "scene_name",
+    return refuse(Rejection::kTooLarge, request.scene_text.empty() ? "scene_name" : "scene_text",
                   "expected at most " + std::to_string(limits.robots) + " robots, not " +
                       std::to_string((*scene)->robots.size()));
   }

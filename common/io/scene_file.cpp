@@ -20,11 +20,12 @@ constexpr std::string_view kVersion = "scene/1";
 
 class SceneReader {
  public:
+  // `name`: what the scene is called where it does not say.
   SceneReader(const std::string& file, const std::filesystem::path& folder, const FileSource& files,
-              Faults& faults)
-      : file_(file),
-        faults_(faults),
-        context_{.faults = faults, .folder = folder, .files = files} {}
+              std::string name, Faults& faults)
+      : file_(file), faults_(faults), context_{.faults = faults, .folder = folder, .files = files} {
+    scene_.name = std::move(name);
+  }
 
   std::shared_ptr<const Scene> read(std::string_view text) {
     if (text.size() > limits::kSceneBytes) {
@@ -60,7 +61,6 @@ class SceneReader {
   }
 
   void read_header(const Fields& fields) {
-    scene_.name = std::filesystem::path(file_).stem().string();
     if (const auto value = fields.find("name")) {
       scene_.name = read_name(*value, faults_).value_or("");
     }
@@ -178,9 +178,12 @@ SceneResult load_scene(const std::filesystem::path& path) {
 }
 
 SceneResult parse_scene(std::string_view text, const std::string& file,
-                        const std::filesystem::path& folder, const FileSource& files) {
+                        const std::filesystem::path& folder, const FileSource& files,
+                        const std::string& name) {
   Faults faults(file);
-  auto scene = SceneReader(file, folder, files, faults).read(text);
+  std::string unnamed = name.empty() ? std::filesystem::path(file).stem().string() : name;
+  if (!is_name(unnamed)) unnamed = "scene";
+  auto scene = SceneReader(file, folder, files, std::move(unnamed), faults).read(text);
   if (faults.count() > 0) scene = nullptr;
   return {std::move(scene), faults.take()};
 }

@@ -28,9 +28,11 @@ struct SceneResult {
 SceneResult load_scene(const std::filesystem::path& path);
 
 // As load_scene(), from text that came some other way. `file` stands in messages. Files that the
-// scene names are looked for in `folder` of `files`; with an empty one it may name none.
+// scene names are looked for in `folder` of `files`; with an empty one it may name none. `name` is
+// what the scene is called where its text does not say; empty: as `file` is, without its ending.
+// Where that cannot be a name either, it is called "scene".
 SceneResult parse_scene(std::string_view text, const std::string& file,
                         const std::filesystem::path& folder,
-                        const FileSource& files = file_system());
+                        const FileSource& files = file_system(), const std::string& name = "");
 
 }  // namespace accord

@@ -31,7 +31,8 @@ struct PlanRequest {
   // Chosen by who asks. Two requests of one id are one request.
   std::string id;
   // The scene: a scene file's text and the files that it names, or else the name of one that the
-  // coordinator has in store.
+  // coordinator has in store. Beside a text, the name is what the scene is called where the text
+  // does not say.
   std::string scene_text;
   std::vector<Attachment> attachments;
   std::string scene_name;

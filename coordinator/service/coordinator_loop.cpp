@@ -123,7 +123,8 @@ void CoordinatorLoop::take_outcomes(RequestDesk::Now time) {
                      },
                      [&](JournalThread::Recalled& recalled) {
                        desk_.on_recalled(recalled.id, std::move(recalled.plan));
-                     }},
+                     },
+                     [&](JournalThread::NotForgotten&) { desk_.on_not_forgotten(); }},
                *outcome);
   }
 }

@@ -130,7 +130,12 @@ void JournalThread::carry_out(const RequestDesk::Recall& work) {
 void JournalThread::carry_out(const RequestDesk::Forget& work) {
   while (true) {
     const auto forgotten = journal_.forget_finished_before(work.before, kForgetAtOnce);
-    if (!forgotten || *forgotten < kForgetAtOnce) return;
+    if (!forgotten) {
+      tell(forgotten.error(), "old plans are kept longer");
+      report(NotForgotten{});
+      return;
+    }
+    if (*forgotten < kForgetAtOnce) return;
   }
 }
 

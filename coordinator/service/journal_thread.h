@@ -46,7 +46,8 @@ class JournalThread {
     std::string id;
     tl::expected<Plan, std::string> plan;
   };
-  using Outcome = std::variant<Accepted, Stored, Recalled>;
+  struct NotForgotten {};  // Forget failed; where it is done nothing is reported
+  using Outcome = std::variant<Accepted, Stored, Recalled, NotForgotten>;
   std::optional<Outcome> take();
 
  private:

@@ -72,6 +72,8 @@ class RequestDesk {
   void on_stored(const std::vector<std::string>& ids, const std::string& fault, Now now);
   // What became of Recall: the plan, or why it cannot be had.
   void on_recalled(const std::string& id, tl::expected<Plan, std::string> plan);
+  // Forget has failed: it is asked for again, later.
+  void on_not_forgotten() { is_forgetting_ = true; }
   // At the end of each turn: hands what has gathered to the journal, all of it at once; begins what
   // can be begun.
   void settle(Now now);
@@ -186,6 +188,7 @@ class RequestDesk {
   std::uint64_t next_order_ = 0;
   std::vector<std::string> to_finish_again_;
   std::optional<std::chrono::nanoseconds> retry_at_, forget_at_;
+  bool is_forgetting_ = false;  // the journal still holds what is to be forgotten
   bool draining_ = false;
   std::deque<Action> actions_;
 };

@@ -211,7 +211,9 @@ void RequestDesk::forget_old(Now now) {
   const double before = now.wall - settings_.keep;
   const auto forgotten =
       std::erase_if(kept_, [&](const auto& entry) { return entry.second.finished < before; });
-  if (forgotten > 0) actions_.emplace_back(Forget{before});
+  if (forgotten == 0 && !is_forgetting_) return;
+  is_forgetting_ = false;
+  actions_.emplace_back(Forget{before});
 }
 
 std::optional<std::chrono::nanoseconds> RequestDesk::next_deadline() const {

@@ -46,7 +46,27 @@ class ServiceProcesses {
   void start_worker(unsigned threads = 1) {
     workers_.emplace_back(with_dds({ACCORD_WORKER, "--threads", std::to_string(threads)}));
   }
+  // One of the test's own programs that speaks as a worker does; its words come before the flags.
+  ChildProcess& start_worker_program(std::vector<std::string> command) {
+    command.insert(command.end(), {"--threads", "1"});
+    return workers_.emplace_back(with_dds(std::move(command)));
+  }
   std::list<ChildProcess>& workers() { return workers_; }
+
+  // What the service says of a worker that it holds to be this ("welcome", "refused", ...), within
+  // some seconds.
+  std::optional<WorkerStatus> wait_for_worker(const std::string& standing) {
+    const auto port = make_dds_fleet_client(options_);  // its own: nobody else takes what it hears
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+         port && std::chrono::steady_clock::now() < end;
+         (*port)->wait(std::chrono::milliseconds(50))) {
+      while (auto news = (*port)->take()) {
+        auto* worker = std::get_if<WorkerStatus>(&*news);
+        if (worker != nullptr && worker->standing == standing) return *worker;
+      }
+    }
+    return std::nullopt;
+  }
 
   std::filesystem::path journal() const { return folder_.path() / "journal.db"; }
   const DdsOptions& options() const { return options_; }

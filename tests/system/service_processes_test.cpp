@@ -113,6 +113,34 @@ TEST(Service, RefusesWhatMakesNoSense) {
       << answer.error().reply.text;
 }
 
+TEST(Service, FindsOutAWorkerThatReturnsWhatDoesNotHold) {
+  const std::string expected = planned_here("low-mobile-16");
+  ServiceProcesses service;
+  service.start_coordinator();
+  testing::ChildProcess& liar = service.start_worker_program({CROOKED_WORKER, "lie"});
+  ASSERT_TRUE(service.wait_for_worker("welcome"));
+  const auto answer = service.plan(request_for("low-mobile-16"), [&](const RequestState&) {
+    if (service.workers().size() == 1) service.start_worker();  // one that is honest
+  });
+  ASSERT_PLANNED(answer, expected);
+  const auto outcast = service.wait_for_worker("distrusted");
+  ASSERT_TRUE(outcast);
+  EXPECT_NE(outcast->text.find("faster than it can"), std::string::npos) << outcast->text;
+  liar.signal(SIGTERM);
+  EXPECT_EQ(liar.wait(), 0);
+}
+
+TEST(Service, PlansTheSameWhenResultsComeAgainAndOutOfOrder) {
+  const std::string expected = planned_here("low-mobile-16");
+  ServiceProcesses service;
+  service.start_coordinator();
+  testing::ChildProcess& worker = service.start_worker_program({CROOKED_WORKER, "repeat"});
+  const auto answer = service.plan(request_for("low-mobile-16"));
+  ASSERT_PLANNED(answer, expected);
+  worker.signal(SIGTERM);
+  EXPECT_EQ(worker.wait(), 0);
+}
+
 TEST(Service, ReportsAWorkerOfAnotherProtocol) {
   ServiceProcesses service;
   service.start_coordinator();

@@ -1,6 +1,6 @@
-// Plans a scene over DDS on this machine, with real worker processes, and prints as JSON what that
-// took: one object a run, after one that is not shown (processes warm up, as a service's are).
-// tests/bench/scaling makes a table of it.
+// Plans a scene over DDS on this machine, with real worker processes of one thread, and prints as
+// JSON what that took: one object a run. The processes have seen nothing of the scene before the
+// first run; in later ones they are warm, as a service's are. tests/bench/scaling makes a table.
 //
 //   scaling_run SCENE.yaml WORKERS shm|udp RUNS
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ class Service {
       workers_.emplace_back(std::vector<std::string>{
           ACCORD_WORKER, "--domain", std::to_string(options.domain), "--cluster", options.cluster,
           "--transport", transport == DdsOptions::Transport::kUdp ? "udp" : "shm", "--interface",
-          "127.0.0.1", "--log", "off"});
+          "127.0.0.1", "--threads", "1", "--log", "off"});
     }
     const auto port = make_port();
     while (board_.threads() < workers) port->turn();
@@ -159,7 +159,6 @@ int main(int argc, char** argv) {
   const auto transport = std::string(argv[3]) == "udp" ? DdsOptions::Transport::kUdp
                                                        : DdsOptions::Transport::kSharedMemory;
   Service service(loaded.scene, static_cast<unsigned>(workers), transport);
-  service.run();
   for (long i = 0; i < runs; ++i) {
     std::cout << (i == 0 ? "[" : ",\n ") << service.run() << std::flush;
   }

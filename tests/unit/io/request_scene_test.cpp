@@ -92,6 +92,14 @@ TEST(RequestScene, IsTheOneOfItsText) {
   EXPECT_EQ((*loaded)->robots[2].goal, (Configuration{4, 0, 1}));
 }
 
+TEST(RequestScene, IsCalledAsTheRequestSaysUnlessItsTextDoes) {
+  PlanRequest request = sound_request();
+  request.scene_name = "hall 4";
+  EXPECT_EQ((*load_request(request, {}, limits_of_service()))->name, "hall 4");
+  request.scene_text += "name: hall 5\n";
+  EXPECT_EQ((*load_request(request, {}, limits_of_service()))->name, "hall 5");
+}
+
 TEST(RequestScene, IsTheSameFromAttachmentsAsFromAFolder) {
   PlanRequest request = sound_request();
   request.attachments = all_example_files();
@@ -101,9 +109,9 @@ TEST(RequestScene, IsTheSameFromAttachmentsAsFromAFolder) {
     const SceneResult expected = load_scene(fs::path(ACCORD_SOURCE_DIR "/scenes") / name);
     ASSERT_TRUE(expected.scene) << name;
     request.scene_text = content;
+    request.scene_name = fs::path(name).stem();
     const auto loaded = load_request(request, {}, limits_of_service());
     ASSERT_TRUE(loaded) << name << ": " << loaded.error().text;
-    if ((*loaded)->name == "scene") continue;  // it has no name of its own but the file's
     EXPECT_EQ(encode_scene(**loaded), encode_scene(*expected.scene)) << name;
     ++scenes;
   }
@@ -273,12 +281,14 @@ TEST(RequestFault, NamesTheSourceOfTheScene) {
       r.scene_name = name;
     };
   };
-  expect_faults({{"none", store(""), Rejection::kBadScene, "scene_text",
-                  "expected a scene's text, or else the name of one in store"},
-                 {"both", [](PlanRequest& r) { r.scene_name = "depot"; }, Rejection::kBadScene,
-                  "scene_name", "expected either this or a scene's text, not both"},
-                 {"no store", store("depot"), Rejection::kUnknownScene, "scene_name",
-                  "this service has no scenes in store; send the scene's text"}});
+  expect_faults(
+      {{"none", store(""), Rejection::kBadScene, "scene_text",
+        "expected a scene's text, or else the name of one in store"},
+       {"no name", [](PlanRequest& r) { r.scene_name = "a\tb"; }, Rejection::kBadScene,
+        "scene_name",
+        "expected a name of at most 200 bytes without control characters, not \"a\\x09b\""},
+       {"no store", store("depot"), Rejection::kUnknownScene, "scene_name",
+        "this service has no scenes in store; send the scene's text"}});
   const std::string expected =
       "expected 1 to 200 letters, digits, '-', '_' and '.', not beginning with '.', not ";
   testing::ScratchFolder folder;

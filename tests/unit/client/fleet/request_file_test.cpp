@@ -91,6 +91,23 @@ TEST(RequestFile, AttachesWhatFilesNameInTurn) {
   EXPECT_EQ(encode_scene(**read), encode_scene(*load_scene(scene).scene));
 }
 
+TEST(RequestFile, CallsASceneWithoutANameAsItsFileIs) {
+  const testing::ScratchFolder folder;
+  const std::string text =
+      "accord: scene/1\nenvironment: {bounds: [[-5, -5], [5, 5]]}\nmodels: {agv: {disk: 0.3, "
+      "speed: 1}}\n"
+      "robots: [{name: a, model: agv, start: [0, 0], goal: [1, 0]}]\n";
+  for (const auto& [file, name] :
+       {std::pair{"hall 4.v2.yaml", "hall 4.v2"}, std::pair{"\x01.yaml", "scene"}}) {
+    const fs::path scene = folder.path() / file;
+    write(scene, text);
+    EXPECT_EQ(load_scene(scene).scene->name, name);
+    const auto read = read_by_service(request_for_scene(scene).request);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ((*read)->name, name);
+  }
+}
+
 TEST(RequestFile, IsTheSameFromTheScenesOwnFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(kScenes);

@@ -87,6 +87,7 @@ std::string in_words(const JournalThread::Outcome& outcome) {
   if (const auto* stored = std::get_if<JournalThread::Stored>(&outcome)) {
     return "stored" + all(stored->ids, stored->fault);
   }
+  if (std::holds_alternative<JournalThread::NotForgotten>(outcome)) return "not forgotten";
   const auto& recalled = std::get<JournalThread::Recalled>(outcome);
   return "recalled " + recalled.id + ": " +
          (recalled.plan ? recalled.plan->message : recalled.plan.error());
@@ -170,6 +171,18 @@ TEST_F(JournalThreadTest, ForgetsHoweverManyThereAre) {
   outcomes();
   thread_.reset();
   EXPECT_EQ(journal_.counts()->finished, 50U);
+}
+
+TEST_F(JournalThreadTest, SaysThatItCouldNotForget) {
+  thread_->start(accept("a"));
+  thread_->start(finish("a"));
+  EXPECT_THAT(outcomes(), ElementsAre("accepted a", "stored a"));
+  journal_.fail_next_writes(1);
+  thread_->start(RequestDesk::Forget{10});
+  EXPECT_THAT(outcomes(), ElementsAre("not forgotten"));
+  thread_->start(RequestDesk::Forget{10});
+  EXPECT_THAT(outcomes(), ElementsAre());
+  EXPECT_FALSE(*journal_.find("a"));
 }
 
 TEST_F(JournalThreadTest, CarriesOutAllThatWasAskedForBeforeItEnds) {

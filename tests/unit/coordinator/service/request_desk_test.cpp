@@ -125,7 +125,7 @@ class RequestDeskTest : public ::testing::Test {
         ASSERT_TRUE(json) << json.error();
         desk_->on_recalled(recall->id, *parse_plan(*json, recall->id).plan);
       } else if (auto* forget = std::get_if<RequestDesk::Forget>(&*action)) {
-        ASSERT_TRUE(journal_.forget_finished_before(forget->before, 100));
+        if (!journal_.forget_finished_before(forget->before, 100)) desk_->on_not_forgotten();
       } else {
         FleetNews& news = std::get<RequestDesk::Publish>(*action).news;
         if (const auto* reply = std::get_if<RequestReply>(&news)) replies_.push_back(*reply);
@@ -498,6 +498,24 @@ TEST_F(RequestDeskTest, ForgetsPlansThatWereKeptLongEnough) {
   EXPECT_FALSE(*journal_.find("a"));
   ask_again("a");
   EXPECT_EQ(replies_.back().reason, Rejection::kUnknownRequest);
+}
+
+// Else its id could not be used again before a restart.
+TEST_F(RequestDeskTest, ForgetsPlansOnceTheDiskTakesIt) {
+  RequestDesk::Settings settings;
+  settings.keep = 60;
+  open(settings);
+  submit("a");
+  finish("a");
+  journal_.fail_next_writes(2);
+  pass(std::chrono::seconds(70));
+  EXPECT_TRUE(*journal_.find("a"));
+  pass(std::chrono::seconds(1));
+  EXPECT_TRUE(*journal_.find("a"));
+  pass(std::chrono::seconds(1));
+  EXPECT_FALSE(*journal_.find("a"));
+  submit("a");
+  EXPECT_TRUE(replies_.back().accepted);
 }
 
 TEST_F(RequestDeskTest, HandsOutNoPlanThatIsTooLarge) {
