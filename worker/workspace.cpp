@@ -1,28 +1,18 @@
 #include "worker/workspace.h"
 
-#include <map>
-#include <tuple>
+#include <algorithm>
+
+#include "common/model/roadmap_places.h"
 
 namespace accord {
-namespace {
-
-// Robots with equal keys share a roadmap: same model, same place.
-using Place = std::tuple<const RobotModel*, std::vector<double>>;
-
-Place place_of(const Robot& robot) {
-  const auto& m = robot.base.matrix();
-  return {robot.model.get(), std::vector<double>(m.data(), m.data() + m.size())};
-}
-
-}  // namespace
 
 Workspace::Workspace(const CollisionWorld& world) : world_(world) {
-  std::map<Place, std::shared_ptr<RobotRoadmap>> known;
-  const auto count = static_cast<std::uint32_t>(world.scene().robots.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    auto& roadmap = known[place_of(world.scene().robot({i}))];
-    if (!roadmap) roadmap = std::make_shared<RobotRoadmap>(world, RobotId{i});
-    roadmaps_.push_back(roadmap);
+  const std::vector<std::uint32_t> places = roadmap_places(world.scene());
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    const auto first = std::ranges::find(places, places[i]) - places.begin();
+    const bool is_first = first == static_cast<std::ptrdiff_t>(i);
+    roadmaps_.push_back(is_first ? std::make_shared<RobotRoadmap>(world, RobotId{i})
+                                 : roadmaps_[static_cast<std::size_t>(first)]);
   }
 }
 

@@ -7,7 +7,9 @@
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
+#include "common/model/roadmap_places.h"
 #include "common/planning/resolution_check.h"
+#include "coordinator/dispatch/roadmap_partners.h"
 
 namespace accord {
 namespace {
@@ -21,8 +23,10 @@ constexpr double kLeastWeight = 1e-3;
 RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world)
     : port_(std::move(port)),
       world_(world),
-      scene_(std::make_shared<const Bytes>(encode_scene(world.scene()))) {
+      scene_(std::make_shared<const Bytes>(encode_scene(world.scene()))),
+      places_(roadmap_places(world.scene())) {
   RequestWork work;
+  work.partners = roadmap_partners(world, places_);
   work.scene = hash_of(*scene_);
   work.scene_bytes = scene_;
   port_->open(std::move(work));
@@ -34,13 +38,22 @@ void RemoteCrew::begin(std::vector<Attempt> attempts) {
     const TaskId id = port_->next_id();
     const double weight = std::max(kLeastWeight, kWeightPerSecond * attempt.seconds);
     Bytes hierarchy = encode_hierarchy(attempt.solvers);
-    tasks.push_back(
-        {id, hierarchy, encode_subproblem(*attempt.subproblem), weight, attempt.is_ahead});
+    tasks.push_back({id, hierarchy, encode_subproblem(*attempt.subproblem), weight,
+                     attempt.is_ahead, places_of(*attempt.subproblem)});
     tasks_.emplace(attempt.ticket, id);
     under_way_.emplace(
         id, UnderWay{attempt.ticket, std::move(attempt.subproblem), std::move(hierarchy), {}});
   }
   port_->add(std::move(tasks));
+}
+
+std::vector<RoadmapPlace> RemoteCrew::places_of(const Subproblem& subproblem) const {
+  std::vector<RoadmapPlace> places;
+  for (const Task& task : subproblem.tasks) places.push_back(places_[task.robot.index()]);
+  std::ranges::sort(places);
+  const auto repeats = std::ranges::unique(places);
+  places.erase(repeats.begin(), repeats.end());
+  return places;
 }
 
 void RemoteCrew::hurry(const std::vector<Ticket>& tickets) {

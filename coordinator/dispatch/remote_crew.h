@@ -59,9 +59,12 @@ class RemoteCrew final : public Crew {
   std::optional<std::string> fault_of(
       const Subproblem& subproblem, const tl::expected<Resolution, std::string>& resolution) const;
 
+  std::vector<RoadmapPlace> places_of(const Subproblem& subproblem) const;
+
   std::unique_ptr<TaskPort> port_;
   const CollisionWorld& world_;
   std::shared_ptr<const Bytes> scene_;  // as it is sent
+  std::vector<RoadmapPlace> places_;    // by robot
   std::map<TaskId, UnderWay> under_way_;
   std::map<Ticket, TaskId> tasks_;  // the same
 };

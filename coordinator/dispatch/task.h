@@ -9,6 +9,7 @@
 #include "common/io/wire/bytes.h"
 #include "common/io/wire/scene_hash.h"
 #include "common/transport/endpoint_id.h"
+#include "coordinator/dispatch/warm_roadmaps.h"
 
 namespace accord {
 
@@ -20,6 +21,7 @@ struct RequestWork {
   RequestId request = 0;
   SceneHash scene;
   std::shared_ptr<const Bytes> scene_bytes;  // canonical; handed to workers who lack the scene
+  RoadmapPartners partners = {};
 };
 
 struct NewTask {
@@ -29,6 +31,7 @@ struct NewTask {
   double weight = 1;  // how long it takes, in units of the caller's; a guess
   // Of need: for threads that would idle, and out of their way as soon as they would not.
   bool is_ahead = false;
+  std::vector<RoadmapPlace> places = {};  // whose roadmaps it needs
 };
 
 // How a task ended. Only the first outcome of a task counts; what comes later is dropped.

@@ -31,6 +31,7 @@ void TaskBoard::add(RequestId request, std::vector<NewTask> tasks) {
     task.subproblem = std::move(fresh.subproblem);
     task.weight = fresh.weight;
     task.is_ahead = fresh.is_ahead;
+    task.places = std::move(fresh.places);
     requests_.at(request).waiting.insert(fresh.id);
   }
   unfinished_ += tasks.size();
@@ -58,6 +59,7 @@ void TaskBoard::end(RequestId request) {
 }
 
 void TaskBoard::forget(const SceneHash& scene) {
+  warm_.forget(scene);
   for (auto& [id, worker] : workers_) {
     if (worker.delivery && worker.delivery->scene == scene) worker.delivery.reset();
     if (worker.scenes.erase(scene) == 0) continue;

@@ -10,6 +10,7 @@
 //   * a task whose workers die of it is given out a few times only (Settings::deaths), then it is
 //     finished as quarantined, so that it cannot take down one worker after the other. Where a
 //     worker had begun several, each of these goes to a worker of its own next, to find the one;
+//   * of tasks that take about as long, a worker gets those whose roadmaps it has built before;
 //   * tasks ahead of need delay no others: they are given to idle threads only, taken back where a
 //     task that is needed finds no other, and given up after the first death.
 // Who gets which task, and when, depends on speeds and deaths; what comes back must not (that
@@ -29,6 +30,7 @@
 
 #include "common/transport/bus.h"
 #include "coordinator/dispatch/task.h"
+#include "coordinator/dispatch/warm_roadmaps.h"
 #include "coordinator/dispatch/worker_record.h"
 
 namespace accord {
@@ -111,6 +113,7 @@ class TaskBoard {
     Bytes subproblem;
     double weight = 1;
     bool is_ahead = false;
+    std::vector<RoadmapPlace> places;
     double load = 0;  // s: what it was expected to take when it was assigned
     std::uint32_t epoch = 0;
     std::optional<Time> sent;  // to whom it is assigned
@@ -142,6 +145,10 @@ class TaskBoard {
   void make_way(WorkerRecord& worker);
   using Worker = std::map<EndpointId, WorkerRecord>::iterator;
   Worker least_loaded(const Task& task);
+  // Of the waiting tasks from `next` on, puts the one there that the worker is prepared for best.
+  void prefer_warm(const Request& request, Worker worker, std::vector<TaskId>& waiting,
+                   std::size_t next) const;
+  bool can_take(Worker worker, const Task& task) const;
   bool has_room(const WorkerRecord& worker, const Task& task) const;
   bool nobody_takes(const Task& task) const;
   std::size_t fair_share(std::size_t waiting) const;
@@ -152,6 +159,7 @@ class TaskBoard {
   std::size_t unfinished_ = 0;
   std::map<RequestId, Request> requests_;  // in the order in which they came
   std::map<EndpointId, WorkerRecord> workers_;
+  WarmRoadmaps warm_;
   std::deque<SceneHash> idle_scenes_;  // of no request any more; the longest first
   std::deque<FinishedTask> finished_;
   double seconds_per_weight_ = 1e-3;  // as measured; decides who gets what, never what comes back

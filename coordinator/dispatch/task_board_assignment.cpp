@@ -1,5 +1,6 @@
 // Who gets what, and what is sent next.
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "common/transport/message_limits.h"
@@ -8,6 +9,11 @@
 
 namespace accord {
 namespace {
+
+// Of tasks that wait, a worker gets the one that it is prepared for best among so many, none of
+// which is expected to take less than this part of the longest: long ones still go first.
+constexpr std::size_t kLookedAt = 256;
+constexpr double kAboutAsLong = 0.5;
 
 double seconds(TaskBoard::Time time) {
   return std::chrono::duration<double>(time).count();
@@ -40,18 +46,46 @@ bool TaskBoard::nobody_takes(const Task& task) const {
 }
 
 TaskBoard::Worker TaskBoard::least_loaded(const Task& task) {
+  const RequestWork& work = requests_.at(task.request).work;
   Worker best = workers_.end();
-  const auto load = [](const WorkerRecord& worker) {
-    const auto threads = static_cast<double>(worker.info.threads);
-    return std::pair(worker.load / threads, static_cast<double>(worker.tasks.size()) / threads);
+  const auto rank = [&](Worker worker) {
+    const auto threads = static_cast<double>(worker->second.info.threads);
+    return std::tuple(worker->second.load / threads,
+                      static_cast<double>(worker->second.tasks.size()) / threads,
+                      warm_.warmth(work.scene, task.places, work.partners, worker->first));
   };
   for (auto worker = workers_.begin(); worker != workers_.end(); ++worker) {
-    if (!has_room(worker->second, task) || task.refused_by.contains(worker->first)) continue;
-    if (task.subproblem.size() > worker->second.info.task_bytes) continue;
+    if (!has_room(worker->second, task) || !can_take(worker, task)) continue;
     if (task.is_suspect && !worker->second.tasks.empty()) continue;
-    if (best == workers_.end() || load(worker->second) < load(best->second)) best = worker;
+    if (best == workers_.end() || rank(worker) < rank(best)) best = worker;
   }
   return best;
+}
+
+bool TaskBoard::can_take(Worker worker, const Task& task) const {
+  return !task.refused_by.contains(worker->first) &&
+         task.subproblem.size() <= worker->second.info.task_bytes;
+}
+
+void TaskBoard::prefer_warm(const Request& request, Worker worker, std::vector<TaskId>& waiting,
+                            std::size_t next) const {
+  const double shortest = kAboutAsLong * tasks_.at(waiting[next]).weight;
+  const std::size_t end = std::min(waiting.size(), next + kLookedAt);
+  std::size_t best = next;
+  auto best_warmth = WarmRoadmaps::Warmth::kElsewhere;
+  for (std::size_t i = next; i < end && best_warmth != WarmRoadmaps::Warmth::kWarm; ++i) {
+    const Task& task = tasks_.at(waiting[i]);
+    if (task.is_suspect || task.weight < shortest) break;
+    if (!can_take(worker, task)) continue;
+    const auto warmth =
+        warm_.warmth(request.work.scene, task.places, request.work.partners, worker->first);
+    if (warmth >= best_warmth) continue;
+    best = i;
+    best_warmth = warmth;
+  }
+  const auto at = waiting.begin() + static_cast<std::ptrdiff_t>(next);
+  const auto chosen = waiting.begin() + static_cast<std::ptrdiff_t>(best);
+  std::rotate(at, chosen, chosen + 1);
 }
 
 // Of so many tasks what one thread may be given at once: nobody's batch takes what others would
@@ -81,12 +115,12 @@ void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
     });
   }
   for (std::size_t next = 0; next < waiting.size();) {
-    const Task& first = tasks_.at(waiting[next]);
-    const Worker worker = least_loaded(first);
+    const Task& longest = tasks_.at(waiting[next]);
+    const Worker worker = least_loaded(longest);
     if (worker == workers_.end()) {
-      if (nobody_takes(first)) {
-        const std::string why =
-            first.last_trouble.empty() ? "it is larger than any worker takes" : first.last_trouble;
+      if (nobody_takes(longest)) {
+        const std::string why = longest.last_trouble.empty() ? "it is larger than any worker takes"
+                                                             : longest.last_trouble;
         finish(waiting[next], FinishedTask::How::kRefused, {}, {}, why);
       }
       ++next;
@@ -94,17 +128,17 @@ void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
     }
     WorkerRecord& record = worker->second;
     const std::size_t share = is_ahead ? 1 : fair_share(waiting.size() - next);
-    TaskBatch batch{request_id, request.work.scene, first.hierarchy, {}};
+    TaskBatch batch{request_id, request.work.scene, {}, {}};
     double load = 0;
     std::size_t bytes = 0;
     for (; next < waiting.size() && batch.tasks.size() < share; ++next) {
+      if (!is_ahead) prefer_warm(request, worker, waiting, next);
       Task& task = tasks_.at(waiting[next]);
+      if (batch.tasks.empty()) batch.hierarchy = task.hierarchy;
       const double expected = task.weight * seconds_per_weight_;
       const bool fits = load + expected <= seconds(settings_.batch) &&
-                        bytes + task.subproblem.size() <= kBatchBytes &&
-                        task.subproblem.size() <= record.info.task_bytes &&
-                        task.hierarchy == batch.hierarchy &&
-                        !task.refused_by.contains(worker->first) && !task.is_suspect;
+                        bytes + task.subproblem.size() <= kBatchBytes && can_take(worker, task) &&
+                        task.hierarchy == batch.hierarchy && !task.is_suspect;
       if (!batch.tasks.empty() && !fits) break;
       task.load = expected;
       load += expected;
@@ -112,6 +146,7 @@ void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
       record.load += expected;
       record.tasks.insert(waiting[next]);
       if (is_ahead) record.ahead.insert(waiting[next]);
+      warm_.add(request.work.scene, task.places, worker->first);
       request.waiting.erase(waiting[next]);
       batch.tasks.push_back({{waiting[next], task.epoch}, task.subproblem});
       ++counters_.assigned;

@@ -96,6 +96,7 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
   }
   if (!is_lost) return;
   ++counters_.workers_lost;
+  warm_.forget(id);
   workers_.erase(found);
 }
 

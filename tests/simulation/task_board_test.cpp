@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <map>
 
 #include "common/planning/random.h"
@@ -182,6 +183,7 @@ class Cluster {
         ++rejected;
       } else {
         EXPECT_TRUE(done.insert(finished->task).second) << "finished twice";
+        if (on_done) on_done(finished->task, finished->worker);
         board.accept(finished->task);
       }
     }
@@ -221,6 +223,7 @@ class Cluster {
   }
 
   TaskBoard board{TaskBoard::Settings{}};
+  std::function<void(TaskId, EndpointId)> on_done;
   int rejected = 0;
   std::set<TaskId> done;
   std::map<TaskId, FinishedTask> not_done;
@@ -322,6 +325,46 @@ TEST(TaskBoard, DropsWhatHasEnded) {
   cluster.done.clear();
   EXPECT_TRUE(cluster.run(std::chrono::seconds(5)));
   for (const TaskId task : cluster.done) EXPECT_GE(task, 1000U);
+}
+
+// Two workers, 20 pairs of robots that stand beside each other, and three rounds: each robot's
+// path, then what each pair has to settle, twice.
+TEST(TaskBoard, GivesTasksToThoseWhoHaveTheirRoadmaps) {
+  constexpr RoadmapPlace kPairs = 20;
+  Cluster cluster(9);
+  std::map<EndpointId, std::set<RoadmapPlace>> built;
+  for (int i = 0; i < 2; ++i) cluster.start_worker(milliseconds(4));
+  std::map<TaskId, std::vector<RoadmapPlace>> needs;
+  cluster.on_done = [&](TaskId task, EndpointId worker) {
+    built[worker].insert(needs.at(task).begin(), needs.at(task).end());
+  };
+  const auto built_twice = [&] {
+    std::size_t all = 0;
+    for (const auto& [worker, places] : built) all += places.size();
+    return all - 2 * kPairs;
+  };
+  RequestWork work;
+  work.request = 1;
+  for (RoadmapPlace place = 0; place < 2 * kPairs; ++place) work.partners.push_back(place ^ 1U);
+  std::vector<NewTask> paths;
+  TaskId id = 1;
+  for (RoadmapPlace place = 0; place < 2 * kPairs; ++place, ++id) {
+    needs[id] = {place};
+    paths.push_back({id, {}, payload_of(id), 10, false, needs[id]});
+  }
+  cluster.board.add(std::move(work), std::move(paths));
+  ASSERT_TRUE(cluster.run(std::chrono::seconds(10)));
+  EXPECT_EQ(built_twice(), 0U);
+  for (int round = 0; round < 2; ++round) {
+    std::vector<NewTask> pairs;
+    for (RoadmapPlace pair = 0; pair < kPairs; ++pair, ++id) {
+      needs[id] = {2 * pair, 2 * pair + 1};
+      pairs.push_back({id, {}, payload_of(id), 10, false, needs[id]});
+    }
+    cluster.board.add(1, std::move(pairs));
+    ASSERT_TRUE(cluster.run(std::chrono::seconds(10)));
+  }
+  EXPECT_LE(built_twice(), 4U) << "who would idle takes another's";
 }
 
 // A worker that had lost its task, and was given it again, answers the first time after all.

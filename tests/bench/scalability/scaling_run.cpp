@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <list>
@@ -102,6 +103,14 @@ class Service {
     const auto port = make_port();
     while (board_.threads() < workers) port->turn();
   }
+
+  // Ended in order: who is killed leaves shared memory behind.
+  ~Service() {
+    for (const testing::ChildProcess& worker : workers_) worker.signal(SIGTERM);
+    for (testing::ChildProcess& worker : workers_) worker.wait();
+  }
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
 
   std::string run() {
     PlanOptions options;
