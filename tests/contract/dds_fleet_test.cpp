@@ -98,7 +98,8 @@ class DdsFleetStrangers : public testing::Test {
  protected:
   DdsFleetStrangers() {
     service_ = DdsFleetWorld(options_).serve([] {});
-    auto stranger = FleetParticipant::create(options_, "stranger", nullptr, nullptr);
+    auto stranger =
+        FleetParticipant::create(options_, options_.cluster, "stranger", nullptr, nullptr);
     stranger_ = std::move(stranger.value());
   }
 

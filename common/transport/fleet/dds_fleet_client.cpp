@@ -23,7 +23,8 @@ class DdsFleetClient final : public AssemblingClient {
         listener_(watch_, signal_) {}
 
   std::optional<std::string> open(const DdsOptions& options) {
-    auto participant = FleetParticipant::create(options, kClientRole, &listener_, &refused_);
+    auto participant =
+        FleetParticipant::create(options, options.cluster, kClientRole, &listener_, &refused_);
     if (!participant) return participant.error();
     participant_ = std::move(*participant);
     requests_ = participant_->add_writer<PlanRequest>(&listener_);

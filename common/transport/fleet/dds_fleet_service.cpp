@@ -1,4 +1,6 @@
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <string_view>
 #include <utility>
 
 #include "common/transport/dds/fleet/participant.h"
@@ -22,12 +24,47 @@ class WakingListener final : public eprosima::fastdds::dds::DataReaderListener {
   std::function<void()> wake_;
 };
 
+// Hears of readers that come and go. Does nothing else: to create or delete anything in a callback
+// is a deadlock.
+class RobotListener final : public eprosima::fastdds::dds::DomainParticipantListener {
+ public:
+  explicit RobotListener(RobotReaders& robots) : robots_(robots) {}
+
+  void on_subscriber_discovery(eprosima::fastdds::dds::DomainParticipant*,
+                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override {
+    using eprosima::fastrtps::rtps::ReaderDiscoveryInfo;
+    const auto& reader = info.info;
+    if (std::string_view(reader.topicName().c_str()) != topic_) return;
+    const bool is_there = info.status == ReaderDiscoveryInfo::DISCOVERED_READER ||
+                          info.status == ReaderDiscoveryInfo::CHANGED_QOS_READER;
+    if (is_there) {
+      robots_.found(reader.guid(), reader.m_qos.m_partition.getNames());
+    } else {
+      robots_.gone(reader.guid());
+    }
+  }
+  void on_participant_discovery(
+      eprosima::fastdds::dds::DomainParticipant*,
+      eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override {
+    using eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
+    const bool is_gone = info.status == ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
+                         info.status == ParticipantDiscoveryInfo::DROPPED_PARTICIPANT;
+    if (is_gone) robots_.gone(info.info.m_guid.guidPrefix);
+  }
+
+ private:
+  const std::string topic_ = fleet_topic_name(kFleetTopic<PathPiece>);
+  RobotReaders& robots_;
+};
+
 class DdsFleetService final : public CheckedService {
  public:
-  explicit DdsFleetService(std::function<void()> wake) : listener_(std::move(wake)) {}
+  DdsFleetService(const std::string& cluster, std::function<void()> wake)
+      : listener_(std::move(wake)), robots_(cluster), robot_listener_(robots_) {}
 
   std::optional<std::string> open(const DdsOptions& options) {
-    auto participant = FleetParticipant::create(options, kServiceRole, nullptr, &refused_);
+    auto participant = FleetParticipant::create(options, options.cluster, kServiceRole,
+                                                &robot_listener_, &refused_);
     if (!participant) return participant.error();
     participant_ = std::move(*participant);
     replies_ = participant_->add_writer<RequestReply>(nullptr);
@@ -46,7 +83,7 @@ class DdsFleetService final : public CheckedService {
     for (const DataReader* reader : {cancels_, resends_, requests_}) {
       if (reader == nullptr) return "DDS refused a reader";
     }
-    plans_.emplace(*outlines, *paths);
+    plans_.emplace(options.cluster, *outlines, *paths, robots_);
     return std::nullopt;
   }
 
@@ -77,6 +114,8 @@ class DdsFleetService final : public CheckedService {
   DataReader* cancels_ = nullptr;
   DataReader* resends_ = nullptr;
   DataReader* requests_ = nullptr;
+  RobotReaders robots_;
+  RobotListener robot_listener_;
   // Its threads have ended before what they call goes, and who writes before its writers.
   std::unique_ptr<FleetParticipant> participant_;
   std::optional<PlanSender> plans_;
@@ -89,7 +128,7 @@ tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_serv
   if (const auto fault = options_fault(options)) {
     return tl::unexpected(fault->option + ": " + fault->text);
   }
-  auto service = std::make_unique<DdsFleetService>(std::move(wake));
+  auto service = std::make_unique<DdsFleetService>(options.cluster, std::move(wake));
   if (auto fault = service->open(options)) return tl::unexpected(std::move(*fault));
   return service;
 }

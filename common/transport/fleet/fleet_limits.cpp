@@ -216,4 +216,15 @@ std::size_t content_bytes(const PathPiece& piece) {
   return bytes;
 }
 
+std::size_t memory_of(const FinishedPlan& finished) {
+  std::size_t bytes = 0;
+  for (const RobotPlan& robot : finished.plan.robots) {
+    bytes += robot.trajectory.size() * waypoint_bytes(robot.trajectory.dof());
+    for (const PlanSegment& segment : robot.segments) {
+      bytes += sizeof(segment) + segment.robots.size() * sizeof(std::string);
+    }
+  }
+  return bytes;
+}
+
 }  // namespace accord

@@ -39,4 +39,7 @@ std::size_t waypoint_bytes(std::size_t dof);
 std::size_t segment_bytes(std::size_t solver_bytes, std::size_t robots);
 std::size_t content_bytes(const PathPiece& piece);
 
+// About how much memory a plan's paths take, in bytes.
+std::size_t memory_of(const FinishedPlan& finished);
+
 }  // namespace accord

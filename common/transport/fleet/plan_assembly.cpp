@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/transport/fleet/fleet_limits.h"
+#include "common/transport/fleet/path_assembly.h"
 
 namespace accord {
 namespace {
@@ -36,16 +37,6 @@ bool add_segments(const PathPiece& piece, const std::vector<RobotPlan>& robots, 
       if (robot >= robots.size()) return false;
       added.robots.push_back(robots[robot].name);
     }
-  }
-  return true;
-}
-
-// False: times do not ascend.
-bool add_waypoints(const PathPiece& piece, Trajectory& out) {
-  for (std::size_t i = 0; i < piece.times.size(); ++i) {
-    if (!out.empty() && !(piece.times[i] > out.end_time())) return false;
-    out.append(piece.times[i],
-               ConfigurationView(piece.configurations).subspan(i * piece.dof, piece.dof));
   }
   return true;
 }

@@ -22,9 +22,10 @@ namespace accord::dds {
 // Not thread safe. Listeners are called from Fast DDS's threads, and outlive it.
 class FleetParticipant {
  public:
-  // `refused` counts samples that made no sense, on the thread that takes. Requires: sound options.
+  // In the partition of the cluster, or one of its robots'. `refused` counts samples that made no
+  // sense, on the thread that takes. Requires: sound options.
   static tl::expected<std::unique_ptr<FleetParticipant>, std::string> create(
-      const DdsOptions& options, const char* role,
+      const DdsOptions& options, const std::string& partition, const char* role,
       eprosima::fastdds::dds::DomainParticipantListener* listener, std::uint64_t* refused);
   ~FleetParticipant() {
     if (participant_ != nullptr) leave_domain(*participant_);
@@ -58,10 +59,19 @@ class FleetParticipant {
                                           listener);
   }
 
+  // Of one robot's paths: who comes later gets its latest one.
+  eprosima::fastdds::dds::DataReader* add_robot_path_reader(
+      eprosima::fastdds::dds::DataReaderListener* listener) {
+    auto* topic = add_topic_of<PathPiece>();
+    if (topic == nullptr) return nullptr;
+    return subscriber_->create_datareader(topic, latest_reader_qos(kRobotPathDepth, true),
+                                          listener);
+  }
+
  private:
   explicit FleetParticipant(std::uint64_t* refused) : refused_(refused) {}
 
-  bool join(const std::string& cluster);
+  bool join(const std::string& partition);
 
   template <typename Value>
   eprosima::fastdds::dds::Topic* add_topic_of() {

@@ -46,6 +46,8 @@ inline constexpr FleetTopic kFleetTopic<PlanOutline>{"plans", FleetTopic::Kind::
 template <>
 inline constexpr FleetTopic kFleetTopic<PathPiece>{"robot_plans", FleetTopic::Kind::kNews, 4096,
                                                    4096, false};
+// Pieces of its path that a robot on its own finds which comes later: some 16 MiB.
+inline constexpr std::size_t kRobotPathDepth = 256;
 template <>
 inline constexpr FleetTopic kFleetTopic<WorkerStatus>{"workers", FleetTopic::Kind::kNews, 1024,
                                                       1024, true};
