@@ -5,6 +5,7 @@
 #include "common/io/limits.h"
 #include "common/transport/dds_settings.h"
 #include "common/transport/fleet/fleet_limits.h"
+#include "common/transport/ros/ros_names.h"
 
 namespace accord {
 namespace {
@@ -13,6 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr unsigned kMostPlanning = 256;
 constexpr const char* kAuto = "auto";
+const std::string kNone = "none";
 // Three heartbeats: less is given up where nothing is wrong.
 constexpr auto kLeastLease = 300ms;
 constexpr auto kLongestKept = 365 * 24h;
@@ -57,6 +59,25 @@ void add_worker_settings(Settings& table, CoordinatorSettings& settings) {
             "Workers lost with a task until it is quarantined");
 }
 
+void add_ros_settings(Settings& table, RosOptions& ros) {
+  Notation<std::string> name =
+      text("none, or names of letters, digits and '_' with '/' between them", "NAME",
+           [](std::string_view value) { return value == kNone || is_ros_name(value); });
+  const auto parse = name.parse;
+  name.parse = [parse](std::string_view value) {
+    auto parsed = parse(value);
+    if (parsed == kNone) parsed->clear();
+    return parsed;
+  };
+  name.print = [](const std::string& value) { return value.empty() ? kNone : value; };
+  table.add("ros.name", "--ros", ros.name, std::move(name),
+            "Publish paths for ROS 2, too, on topics below this name");
+  table.add("ros.frame", "--ros-frame", ros.frame,
+            text("a name without spaces", "NAME",
+                 [](std::string_view value) { return is_ros_name(value); }),
+            "The frame of these paths");
+}
+
 }  // namespace
 
 CoordinatorLimits::CoordinatorLimits() : planning(std::min(cores(), kMostPlanning)) {}
@@ -72,6 +93,7 @@ Settings coordinator_table(CoordinatorSettings& settings) {
   add_worker_settings(table, settings);
   add_limit_settings(table, settings.limits);
   add_dds_settings(table, settings.dds);
+  add_ros_settings(table, settings.ros);
   add_log_settings(table, settings.log);
   add_metrics_settings(table, settings.metrics);
   return table;

@@ -8,6 +8,7 @@
 #include "common/runtime/process_settings.h"
 #include "common/runtime/settings.h"
 #include "common/transport/dds_options.h"
+#include "common/transport/ros/ros_options.h"
 
 namespace accord {
 
@@ -33,6 +34,7 @@ struct CoordinatorSettings {
   std::chrono::milliseconds lease{1000};  // of silence, until a worker is given up
   unsigned deaths = 3;                    // of workers, that quarantine a task
   std::string quarantine = "auto";        // see quarantine_folder()
+  RosOptions ros;
   LogOptions log;
   MetricsOptions metrics;
 

@@ -92,7 +92,8 @@ ProcessExit serve(const CoordinatorSettings& settings) {
   if (!journal) return fail(journal.error());
   const auto bus = make_dds_bus(Role::kCoordinator, settings.dds);
   if (!bus) return fail(bus.error());
-  const auto fleet = make_dds_fleet_service(settings.dds, [&bus] { (*bus)->wake(); });
+  const auto fleet = make_dds_fleet_service(
+      settings.dds, [&bus] { (*bus)->wake(); }, settings.ros);
   if (!fleet) return fail(fleet.error());
   spdlog::info("coordinator {} in domain {}, cluster {}", to_string((*bus)->self()),
                settings.dds.domain, settings.dds.cluster);

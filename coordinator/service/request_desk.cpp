@@ -175,7 +175,7 @@ void RequestDesk::reply_again(const std::string& id, Request& request, Now now) 
   if (!request.is_accepted) return;  // it is still to come
   publish(RequestReply{id, true, Rejection::kNone, "", ""});
   say_state(id, request, now);
-  if (request.is_told) publish(FinishedPlan{id, request.plan});
+  if (request.is_told) publish(FinishedPlan{id, request.plan, request.scene});
 }
 
 void RequestDesk::resend(const std::string& id, Now now) {
@@ -199,7 +199,7 @@ void RequestDesk::on_recalled(const std::string& id, tl::expected<Plan, std::str
   state.phase = RequestPhase::kFinished;
   state.robots = static_cast<std::uint32_t>(plan->robots.size());
   publish(state);
-  publish(FinishedPlan{id, std::move(*plan)});
+  publish(FinishedPlan{id, std::move(*plan), nullptr});
 }
 
 std::optional<RequestDesk::Action> RequestDesk::next_action() {

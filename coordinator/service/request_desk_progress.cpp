@@ -181,7 +181,7 @@ void RequestDesk::tell(const std::string& id, Request& request, Now now) {
   request.is_told = true;
   request.state.phase = RequestPhase::kFinished;
   say_state(id, request, now);
-  publish(FinishedPlan{id, request.plan});
+  publish(FinishedPlan{id, request.plan, request.scene});
 }
 
 // Where the journal cannot be written, plans stay here, for whoever asks.

@@ -3,6 +3,8 @@
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <string>
@@ -25,5 +27,13 @@ void leave_domain(eprosima::fastdds::dds::DomainParticipant& participant);
 eprosima::fastdds::dds::Topic* add_topic(eprosima::fastdds::dds::DomainParticipant& participant,
                                          const std::string& name,
                                          const eprosima::fastdds::dds::TypeSupport& type);
+
+// Whose writer it is.
+inline eprosima::fastdds::dds::DomainParticipant& participant_of(
+    const eprosima::fastdds::dds::DataWriter& writer) {
+  // Fast DDS gives it as constant, but by name.
+  return const_cast<eprosima::fastdds::dds::DomainParticipant&>(
+      *writer.get_publisher()->get_participant());
+}
 
 }  // namespace accord::dds

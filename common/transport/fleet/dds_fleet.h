@@ -9,6 +9,7 @@
 
 #include "common/transport/dds_options.h"
 #include "common/transport/fleet/fleet_port.h"
+#include "common/transport/ros/ros_options.h"
 
 namespace accord {
 
@@ -19,7 +20,7 @@ namespace accord {
 // `wake` is called, from any thread and until the port is destroyed, when take() may give
 // something. It must not call the port, nor wait for a lock that is held while the port is called.
 tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
-    const DdsOptions& options, std::function<void()> wake);
+    const DdsOptions& options, std::function<void()> wake, const RosOptions& ros = {});
 
 // Asks by itself, while take() and wait() are called, for plans that come with a gap.
 tl::expected<std::unique_ptr<FleetClientPort>, std::string> make_dds_fleet_client(

@@ -62,7 +62,7 @@ class DdsFleetService final : public CheckedService {
   DdsFleetService(const std::string& cluster, std::function<void()> wake)
       : listener_(std::move(wake)), robots_(cluster), robot_listener_(robots_) {}
 
-  std::optional<std::string> open(const DdsOptions& options) {
+  std::optional<std::string> open(const DdsOptions& options, const RosOptions& ros) {
     auto participant = FleetParticipant::create(options, options.cluster, kServiceRole,
                                                 &robot_listener_, &refused_);
     if (!participant) return participant.error();
@@ -83,7 +83,7 @@ class DdsFleetService final : public CheckedService {
     for (const DataReader* reader : {cancels_, resends_, requests_}) {
       if (reader == nullptr) return "DDS refused a reader";
     }
-    plans_.emplace(options.cluster, *outlines, *paths, robots_);
+    plans_.emplace(options.cluster, ros, *outlines, *paths, robots_);
     return std::nullopt;
   }
 
@@ -124,12 +124,12 @@ class DdsFleetService final : public CheckedService {
 }  // namespace
 
 tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
-    const DdsOptions& options, std::function<void()> wake) {
+    const DdsOptions& options, std::function<void()> wake, const RosOptions& ros) {
   if (const auto fault = options_fault(options)) {
     return tl::unexpected(fault->option + ": " + fault->text);
   }
   auto service = std::make_unique<DdsFleetService>(options.cluster, std::move(wake));
-  if (auto fault = service->open(options)) return tl::unexpected(std::move(*fault));
+  if (auto fault = service->open(options, ros)) return tl::unexpected(std::move(*fault));
   return service;
 }
 

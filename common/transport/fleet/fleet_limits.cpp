@@ -173,7 +173,7 @@ Fault path_fault(const RobotPlan& robot, const std::unordered_set<std::string_vi
 }
 
 Fault fault_of(const FinishedPlan& finished) {
-  const auto& [id, plan] = finished;
+  const auto& [id, plan, scene] = finished;
   if (auto fault = outline_fault(id, plan)) return fault;
   std::unordered_set<std::string_view> names;
   for (const RobotPlan& robot : plan.robots) names.insert(robot.name);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "common/model/plan.h"
 #include "common/model/plan_request.h"
 #include "common/model/request_state.h"
+#include "common/model/scene.h"
 
 namespace accord {
 
@@ -47,6 +49,8 @@ struct RequestReply {
 struct FinishedPlan {
   std::string id;
   Plan plan;
+  // What it was planned for; null where that is not at hand any more. Does not travel.
+  std::shared_ptr<const Scene> scene = {};
 };
 
 struct WorkerStatus {

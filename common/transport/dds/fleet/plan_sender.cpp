@@ -16,12 +16,14 @@ constexpr std::size_t kWaitingBytes = 2 * kPlanWireBytes;
 constexpr std::size_t kAhead = kFleetTopic<PathPiece>.writer_depth / 2;
 }  // namespace
 
-PlanSender::PlanSender(const std::string& cluster, eprosima::fastdds::dds::DataWriter& outlines,
+PlanSender::PlanSender(const std::string& cluster, const RosOptions& ros,
+                       eprosima::fastdds::dds::DataWriter& outlines,
                        eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots)
     : outlines_(outlines),
       paths_(paths),
       robots_(robots),
       robot_writers_(cluster, paths),
+      ros_(participant_of(paths), ros),
       latest_(kWaitingBytes),
       thread_([this] { run(); }) {
   robots_.set_listener([this] { robots_changed(); });
@@ -42,11 +44,12 @@ bool PlanSender::send(FinishedPlan plan) {
   const std::size_t bytes = memory_of(plan);
   {
     const std::scoped_lock lock(mutex_);
-    const auto is_same = [&](const SharedPlan& other) { return other->id == plan.id; };
+    const auto is_same = [&](const Waiting& other) { return other.plan->id == plan.id; };
     if (std::ranges::any_of(waiting_, is_same)) return true;
     if (!waiting_.empty() && waiting_bytes_ + bytes > kWaitingBytes) return false;
     waiting_bytes_ += bytes;
-    waiting_.push_back(std::make_shared<const FinishedPlan>(std::move(plan)));
+    auto scene = std::exchange(plan.scene, nullptr);
+    waiting_.push_back({std::make_shared<const FinishedPlan>(std::move(plan)), std::move(scene)});
   }
   wake_.notify_one();
   return true;
@@ -71,12 +74,13 @@ void PlanSender::run() {
       look_after_robots();
       continue;
     }
-    const SharedPlan plan = std::move(waiting_.front());
+    const auto [plan, scene] = std::move(waiting_.front());
     waiting_.pop_front();
     waiting_bytes_ -= memory_of(*plan);
     lock.unlock();
     latest_.add(plan);
     send_now(*plan);
+    if (!ended_ && scene != nullptr) ros_.publish(plan->plan, *scene);
   }
 }
 

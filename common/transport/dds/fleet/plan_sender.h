@@ -16,6 +16,7 @@
 
 #include "common/transport/dds/fleet/robot_readers.h"
 #include "common/transport/dds/fleet/robot_writers.h"
+#include "common/transport/dds/ros/ros_writers.h"
 #include "common/transport/fleet/fleet_messages.h"
 #include "common/transport/fleet/latest_paths.h"
 
@@ -25,7 +26,8 @@ namespace accord::dds {
 class PlanSender {
  public:
   // Nobody else writes with these, which outlive it, as `robots` does.
-  PlanSender(const std::string& cluster, eprosima::fastdds::dds::DataWriter& outlines,
+  PlanSender(const std::string& cluster, const RosOptions& ros,
+             eprosima::fastdds::dds::DataWriter& outlines,
              eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots);
   ~PlanSender();
   PlanSender(const PlanSender&) = delete;
@@ -37,7 +39,10 @@ class PlanSender {
   bool send(FinishedPlan plan);
 
  private:
-  using SharedPlan = std::shared_ptr<const FinishedPlan>;
+  struct Waiting {
+    std::shared_ptr<const FinishedPlan> plan;  // without its scene, which nobody has to keep
+    std::shared_ptr<const Scene> scene;
+  };
 
   void run();
   void send_now(const FinishedPlan& plan);
@@ -50,13 +55,14 @@ class PlanSender {
   RobotReaders& robots_;
   // The sending thread's:
   RobotWriters robot_writers_;
+  RosWriters ros_;
   LatestPaths latest_;
   std::atomic<bool> ended_ = false;
   std::size_t ahead_ = 0;  // pieces since the last that all had got; the sending thread's
   std::mutex mutex_;
   std::condition_variable wake_;
   bool are_robots_changed_ = false;
-  std::deque<SharedPlan> waiting_;
+  std::deque<Waiting> waiting_;
   std::size_t waiting_bytes_ = 0;
   std::thread thread_;
 };

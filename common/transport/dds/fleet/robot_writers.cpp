@@ -12,10 +12,7 @@
 namespace accord::dds {
 
 RobotWriters::RobotWriters(const std::string& cluster, eprosima::fastdds::dds::DataWriter& paths)
-    : cluster_(cluster),
-      paths_(paths),
-      participant_(*const_cast<eprosima::fastdds::dds::DomainParticipant*>(
-          paths.get_publisher()->get_participant())) {}
+    : cluster_(cluster), paths_(paths), participant_(participant_of(paths)) {}
 
 RobotWriters::~RobotWriters() {
   for (const auto& [robot, writer] : writers_) remove(writer);
