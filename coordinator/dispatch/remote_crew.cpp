@@ -51,8 +51,7 @@ std::vector<RoadmapPlace> RemoteCrew::places_of(const Subproblem& subproblem) co
   std::vector<RoadmapPlace> places;
   for (const Task& task : subproblem.tasks) places.push_back(places_[task.robot.index()]);
   std::ranges::sort(places);
-  const auto repeats = std::ranges::unique(places);
-  places.erase(repeats.begin(), repeats.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 
