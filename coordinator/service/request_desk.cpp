@@ -218,9 +218,7 @@ RequestState RequestDesk::state_after(const std::string& id, const Plan& plan) c
   state.rounds = counted(plan, "rounds");
   state.per_cent = 100;
   state.best_cost = plan.sum_of_costs;
-  if (const auto kept = kept_.find(id); kept != kept_.end()) {
-    state.elapsed = std::max(0.0, kept->second.finished - kept->second.accepted);
-  }
+  if (const auto kept = kept_.find(id); kept != kept_.end()) state.elapsed = kept->second.elapsed;
   return state;
 }
 

@@ -152,8 +152,8 @@ class RequestDesk {
   };
   struct Kept {  // in the journal
     SceneHash content;
-    double accepted = 0;  // wall clock
-    double finished = 0;
+    double elapsed = 0;   // s, until it was finished
+    double finished = 0;  // wall clock
   };
   using Requests = std::map<std::string, Request>;
   using Place = std::tuple<std::int64_t, std::uint64_t, std::string>;  // -priority, order, id

@@ -38,7 +38,8 @@ std::size_t waypoints_of(const Plan& plan) {
 void RequestDesk::restore(const JournalEntry& entry,
                           tl::expected<RequestRecord, std::string> record, Now now) {
   if (entry.outcome) {
-    kept_[entry.id] = {entry.content, entry.accepted_at, entry.outcome->finished_at};
+    const double finished = entry.outcome->finished_at;
+    kept_[entry.id] = {entry.content, std::max(0.0, finished - entry.accepted_at), finished};
     return;
   }
   ++counters_.restored;
@@ -206,7 +207,7 @@ void RequestDesk::on_stored(const std::vector<std::string>& ids, const std::stri
       enqueue(id, found->second);  // for the next coordinator, which plans it anew
       continue;
     }
-    kept_[id] = {found->second.content, found->second.accepted, now.wall};
+    kept_[id] = {found->second.content, found->second.state.elapsed, now.wall};
     drop(found);
   }
 }
