@@ -15,7 +15,7 @@ bool ask(const struct endpoints* fleet, const struct request* request) {
   if (request->is_submitted_here && !request->is_accepted) {
     return send(fleet->plan_requests, &request->submission);
   }
-  if (request->is_to_be_cancelled && request->last.phase != kFinished) {
+  if (request->is_to_be_cancelled && request->last.phase != accord_fleet_PHASE_FINISHED) {
     const accord_fleet_Cancel cancel = {request->submission.request_id};
     return send(fleet->cancels, &cancel);
   }

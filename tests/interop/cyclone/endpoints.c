@@ -12,7 +12,6 @@ struct maker {
   dds_entity_t participant;
   dds_entity_t publisher;
   dds_entity_t subscriber;
-  dds_entity_t news;
   bool ok;
 };
 
@@ -43,9 +42,10 @@ static dds_entity_t writer(struct maker* maker, const char* name,
   return out;
 }
 
-// `durability`: transient-local gets what the service has said before.
+// `durability`: transient-local gets what the service has said before. `waitset`: what it triggers.
 static dds_entity_t reader(struct maker* maker, const char* name,
-                           const dds_topic_descriptor_t* type, dds_durability_kind_t durability) {
+                           const dds_topic_descriptor_t* type, dds_durability_kind_t durability,
+                           dds_entity_t waitset) {
   dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, 0);
   dds_qset_durability(qos, durability);
@@ -55,7 +55,7 @@ static dds_entity_t reader(struct maker* maker, const char* name,
   dds_delete_qos(qos);
   if (maker->ok) {
     dds_set_status_mask(out, DDS_DATA_AVAILABLE_STATUS);
-    const dds_return_t attached = dds_waitset_attach(maker->news, out, 0);
+    const dds_return_t attached = dds_waitset_attach(waitset, out, 0);
     made(maker, "to wait for news", attached);
   }
   return out;
@@ -70,20 +70,29 @@ bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
   maker.subscriber =
       made(&maker, "a subscriber", dds_create_subscriber(maker.participant, qos, NULL));
   dds_delete_qos(qos);
-  maker.news = made(&maker, "a waitset", dds_create_waitset(maker.participant));
 
   out->participant = maker.participant;
-  out->news = maker.news;
+  out->news = made(&maker, "a waitset", dds_create_waitset(maker.participant));
+  out->presence = made(&maker, "a waitset", dds_create_waitset(maker.participant));
   out->plan_requests = writer(&maker, "plan_requests", &accord_fleet_PlanRequest_desc, 8);
   out->cancels = writer(&maker, "cancels", &accord_fleet_Cancel_desc, 64);
   out->resends = writer(&maker, "resends", &accord_fleet_Resend_desc, 64);
   const dds_durability_kind_t now = DDS_DURABILITY_VOLATILE,
                               before = DDS_DURABILITY_TRANSIENT_LOCAL;
-  out->replies = reader(&maker, "replies", &accord_fleet_RequestReply_desc, now);
-  out->statuses = reader(&maker, "statuses", &accord_fleet_PlanStatus_desc, before);
-  out->plans = reader(&maker, "plans", &accord_fleet_Plan_desc, now);
-  out->robot_plans = reader(&maker, "robot_plans", &accord_fleet_RobotPlan_desc, now);
-  out->workers = reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before);
-  out->service = reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before);
+  out->replies = reader(&maker, "replies", &accord_fleet_RequestReply_desc, now, out->news);
+  out->statuses = reader(&maker, "statuses", &accord_fleet_PlanStatus_desc, before, out->news);
+  out->plans = reader(&maker, "plans", &accord_fleet_Plan_desc, now, out->news);
+  out->robot_plans = reader(&maker, "robot_plans", &accord_fleet_RobotPlan_desc, now, out->news);
+  out->workers = reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before, out->presence);
+  out->service = reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before, out->presence);
   return maker.ok;
+}
+
+bool take(dds_entity_t reader, void* sample) {
+  dds_sample_info_t info;
+  dds_return_t count;
+  do {
+    count = dds_take(reader, &sample, &info, 1, 1);
+  } while (count == 1 && !info.valid_data);  // such as that the service has left
+  return count == 1;
 }

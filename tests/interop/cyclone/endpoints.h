@@ -19,10 +19,14 @@ struct endpoints {
   dds_entity_t robot_plans;
   dds_entity_t workers;
   dds_entity_t service;
-  // Triggered while a reader has something to take.
+  // Waitsets, triggered while a reader has something to take: of the first four, of the last two.
   dds_entity_t news;
+  dds_entity_t presence;
 };
 
 // Joins a cluster's topics. False, with a line on stderr, where DDS refuses. All of it goes with
 // dds_delete(participant).
 bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out);
+
+// Takes the next sample into one that was allocated by its type's __alloc(). False: there is none.
+bool take(dds_entity_t reader, void* sample);

@@ -5,18 +5,21 @@
 //   cyclone_fleet_client DOMAIN CLUSTER cancel ID SCENE [FILE...]  cancels it once it is accepted
 //   cyclone_fleet_client DOMAIN CLUSTER resend ID                  has what others asked for said
 //                                                                  again
+//   cyclone_fleet_client DOMAIN CLUSTER watch                      until service and worker are
+//   there
 //
 // FILEs are those that the scene names, by these names; so it runs in the scene's folder. What it
-// hears on the way goes to stderr, a line each. Exits with 0 where a plan has come, of whatever
-// status, and all that came is as docs/topics.md says; with 1 where not; with 2 where it was called
-// in another way.
+// hears on the way goes to stderr, a line each. Exits with 0 where what it waits for has come, a
+// plan of whatever status, and all is as docs/topics.md says; with 1 where not; with 2 where it was
+// called in another way.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "request.h"
+#include "watch.h"
 
-enum { kDomain = 1, kCluster, kCommand, kId, kScene };
+enum { kDomain = 1, kCluster, kCommand, kId };
 
 static const dds_duration_t kPatience = DDS_SECS(60);  // for all of it
 // Of silence, until it is asked again: longer each time, up to the second.
@@ -26,7 +29,8 @@ static const dds_duration_t kUntilFound = DDS_MSECS(20);  // until who was not t
 
 static bool is_over(const struct request* request) {
   if (request->is_odd || request->is_refused) return true;
-  return request->last.phase == kFinished && is_complete(&request->plan);
+  return request->has_reply && request->last.phase == accord_fleet_PHASE_FINISHED &&
+         is_complete(&request->plan);
 }
 
 static void follow(const struct endpoints* fleet, struct request* request) {
@@ -102,28 +106,41 @@ static void free_submission(accord_fleet_PlanRequest* submission) {
   free(submission->scene_text);
 }
 
+static bool run(const struct endpoints* fleet, const char* command, char** words, int count) {
+  if (strcmp(command, "watch") == 0) return watch(fleet, dds_time() + kPatience);
+  struct request request = {.submission.request_id = words[0],
+                            .is_submitted_here = strcmp(command, "resend") != 0,
+                            .is_to_be_cancelled = strcmp(command, "cancel") == 0};
+  if (request.is_submitted_here) {
+    fill_submission(words[0], words + 1, count - 1, &request.submission);
+  }
+  follow(fleet, &request);
+  const bool ok = report(&request);
+  free_plan(&request.plan);
+  if (request.is_submitted_here) free_submission(&request.submission);
+  return ok;
+}
+
+// How many words follow a command, at least; -1: there is no such command.
+static int words_after(const char* command) {
+  if (strcmp(command, "plan") == 0 || strcmp(command, "cancel") == 0) return 2;
+  if (strcmp(command, "resend") == 0) return 1;
+  return strcmp(command, "watch") == 0 ? 0 : -1;
+}
+
 int main(int argc, char** argv) {
-  const char* command = argc > kId ? argv[kCommand] : "";
-  const bool resends = strcmp(command, "resend") == 0 && argc == kId + 1;
-  const bool cancels = strcmp(command, "cancel") == 0 && argc > kScene;
-  const bool plans = strcmp(command, "plan") == 0 && argc > kScene;
-  if (!resends && !cancels && !plans) {
-    fputs("usage: cyclone_fleet_client DOMAIN CLUSTER plan|cancel|resend ID [SCENE [FILE...]]\n",
-          stderr);
+  const int words = argc > kCommand ? words_after(argv[kCommand]) : -1;
+  const int given = argc - kId;
+  if (words < 0 || given < words || (words < 2 && given > words)) {
+    fputs(
+        "usage: cyclone_fleet_client DOMAIN CLUSTER plan|cancel|resend|watch [ID [SCENE "
+        "[FILE...]]]\n",
+        stderr);
     return 2;
   }
-  struct request request = {.submission.request_id = argv[kId],
-                            .is_submitted_here = !resends,
-                            .is_to_be_cancelled = cancels};
-  if (!resends) fill_submission(argv[kId], argv + kScene, argc - kScene, &request.submission);
   struct endpoints fleet;
-  bool ok = join_fleet((uint32_t)strtoul(argv[kDomain], NULL, 10), argv[kCluster], &fleet);
-  if (ok) {
-    follow(&fleet, &request);
-    ok = report(&request);
-  }
+  const bool ok = join_fleet((uint32_t)strtoul(argv[kDomain], NULL, 10), argv[kCluster], &fleet) &&
+                  run(&fleet, argv[kCommand], argv + kId, given);
   dds_delete(fleet.participant);
-  free_plan(&request.plan);
-  if (!resends) free_submission(&request.submission);
   return ok ? 0 : 1;
 }

@@ -47,13 +47,12 @@ static struct gathered_path* path_of(struct gathered_plan* plan, uint32_t robot)
   return &plan->paths[robot];
 }
 
-bool gather_outcome(struct gathered_plan* plan, accord_fleet_Plan* outcome) {
+void gather_outcome(struct gathered_plan* plan, accord_fleet_Plan* outcome) {
   if (!is_current(plan, outcome->version) || plan->outcome != NULL) {
     accord_fleet_Plan_free(outcome, DDS_FREE_ALL);
-    return true;
+    return;
   }
   plan->outcome = outcome;
-  return true;
 }
 
 bool gather_piece(struct gathered_plan* plan, accord_fleet_RobotPlan* piece) {

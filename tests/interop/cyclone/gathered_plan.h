@@ -21,9 +21,9 @@ struct gathered_plan {
 };
 
 // Take a sample over, which was allocated by its type's __alloc(), and ignore it where it has come
-// before or belongs to a plan that a newer version has replaced. False, with a line on stderr,
-// where it is not what docs/topics.md says.
-bool gather_outcome(struct gathered_plan* plan, accord_fleet_Plan* outcome);
+// before or belongs to a plan that a newer version has replaced. A piece that fits into no plan is
+// dropped: false, with a line on stderr.
+void gather_outcome(struct gathered_plan* plan, accord_fleet_Plan* outcome);
 bool gather_piece(struct gathered_plan* plan, accord_fleet_RobotPlan* piece);
 
 // Whether the outcome and, of every robot that it names, all pieces are there.

@@ -7,15 +7,14 @@
 #include "fleet.h"
 #include "gathered_plan.h"
 
-enum { kFinished = 4 };  // PlanStatus::phase
-
 struct request {
   // Whole, where this program submits it; else only its id is set.
   accord_fleet_PlanRequest submission;
   bool is_submitted_here;
   bool is_to_be_cancelled;
 
-  bool is_accepted;
+  bool is_accepted;  // a reply or a status said so
+  bool has_reply;
   bool is_refused;  // a reply said so
   bool is_odd;      // something came that cannot be
   accord_fleet_PlanStatus last;
@@ -27,5 +26,6 @@ struct request {
 // be said again. False: nobody who listens has been found yet.
 bool ask(const struct endpoints* fleet, const struct request* request);
 
-// Takes all that has come. True: something about the request was among it. A line on stderr each.
+// Takes all that has come of a request. True: something about the request was among it. A line on
+// stderr each.
 bool hear(const struct endpoints* fleet, struct request* request);
