@@ -1,14 +1,7 @@
 #include "request.h"
 
-// False: nobody who listens has been found yet.
-static bool has_listener(dds_entity_t writer) {
-  dds_publication_matched_status_t matched;
-  return dds_get_publication_matched_status(writer, &matched) == DDS_RETCODE_OK &&
-         matched.current_count > 0;
-}
-
 static bool send(dds_entity_t writer, const void* sample) {
-  return has_listener(writer) && dds_write(writer, sample) == DDS_RETCODE_OK;
+  return dds_write(writer, sample) == DDS_RETCODE_OK;
 }
 
 bool ask(const struct endpoints* fleet, const struct request* request) {

@@ -73,7 +73,6 @@ bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
 
   out->participant = maker.participant;
   out->news = made(&maker, "a waitset", dds_create_waitset(maker.participant));
-  out->presence = made(&maker, "a waitset", dds_create_waitset(maker.participant));
   out->plan_requests = writer(&maker, "plan_requests", &accord_fleet_PlanRequest_desc, 8);
   out->cancels = writer(&maker, "cancels", &accord_fleet_Cancel_desc, 64);
   out->resends = writer(&maker, "resends", &accord_fleet_Resend_desc, 64);
@@ -83,8 +82,9 @@ bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
   out->statuses = reader(&maker, "statuses", &accord_fleet_PlanStatus_desc, before, out->news);
   out->plans = reader(&maker, "plans", &accord_fleet_Plan_desc, now, out->news);
   out->robot_plans = reader(&maker, "robot_plans", &accord_fleet_RobotPlan_desc, now, out->news);
-  out->workers = reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before, out->presence);
-  out->service = reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before, out->presence);
+  out->workers = reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before, out->news);
+  // Last: the service finds readers in this order, so whoever hears on this one is heard on all.
+  out->service = reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before, out->news);
   return maker.ok;
 }
 

@@ -19,9 +19,8 @@ struct endpoints {
   dds_entity_t robot_plans;
   dds_entity_t workers;
   dds_entity_t service;
-  // Waitsets, triggered while a reader has something to take: of the first four, of the last two.
+  // Triggered while a reader has something to take.
   dds_entity_t news;
-  dds_entity_t presence;
 };
 
 // Joins a cluster's topics. False, with a line on stderr, where DDS refuses. All of it goes with

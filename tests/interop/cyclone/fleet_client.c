@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "presence.h"
 #include "request.h"
-#include "watch.h"
 
 enum { kDomain = 1, kCluster, kCommand, kId };
 
@@ -25,7 +25,6 @@ static const dds_duration_t kPatience = DDS_SECS(60);  // for all of it
 // Of silence, until it is asked again: longer each time, up to the second.
 static const dds_duration_t kAgain = DDS_MSECS(500);
 static const dds_duration_t kAgainAtMost = DDS_SECS(4);
-static const dds_duration_t kUntilFound = DDS_MSECS(20);  // until who was not there is looked for
 
 static bool is_over(const struct request* request) {
   if (request->is_odd || request->is_refused) return true;
@@ -34,16 +33,17 @@ static bool is_over(const struct request* request) {
 }
 
 static void follow(const struct endpoints* fleet, struct request* request) {
+  struct presence presence = {false, false};
   const dds_time_t end = dds_time() + kPatience;
   dds_duration_t again = kAgain;
   dds_time_t ask_at = dds_time();
   while (!is_over(request) && dds_time() < end) {
-    if (dds_time() >= ask_at) {
-      const bool is_sent = ask(fleet, request);
-      ask_at = dds_time() + (is_sent ? again : kUntilFound);
-      if (is_sent) again = 2 * again < kAgainAtMost ? 2 * again : kAgainAtMost;
+    if (presence.service && dds_time() >= ask_at && ask(fleet, request)) {
+      ask_at = dds_time() + again;
+      again = 2 * again < kAgainAtMost ? 2 * again : kAgainAtMost;
     }
-    dds_waitset_wait_until(fleet->news, NULL, 0, ask_at);
+    dds_waitset_wait_until(fleet->news, NULL, 0, presence.service ? ask_at : end);
+    hear_presence(fleet, &presence);
     const bool was_accepted = request->is_accepted;
     if (hear(fleet, request)) ask_at = dds_time() + again;
     // A cancel need not wait for silence.

@@ -23,7 +23,7 @@ struct request {
 
 // Puts the question whose answer is missing: accept it, cancel it, say it again. Whatever was lost
 // or missed, to ask again is right: the same request twice is one request, and what is finished can
-// be said again. False: nobody who listens has been found yet.
+// be said again. False: DDS does not take it.
 bool ask(const struct endpoints* fleet, const struct request* request);
 
 // Takes all that has come of a request. True: something about the request was among it. A line on
