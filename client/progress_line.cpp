@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 
@@ -18,19 +19,30 @@ std::string words(const Progress& progress, std::size_t robots) {
     case Progress::Phase::kInitialPaths:
       return fmt::format("paths of single robots: {} of {}", progress.robots_planned, robots);
     case Progress::Phase::kConflicts:
-      return fmt::format("conflicts: {} found, {}, round {}", progress.conflicts_found,
-                         counted(progress.conflicts_resolved, "resolution"), progress.rounds);
+      return fmt::format("conflicts: {} found, {}, round {}, sum of costs {:.1f} s",
+                         progress.conflicts_found,
+                         counted(progress.conflicts_resolved, "resolution"), progress.rounds,
+                         progress.sum_of_costs);
     case Progress::Phase::kProof:
       return "proving the plan";
   }
   return {};
 }
 
+std::string after_per_cent(double per_cent, const std::string& words) {
+  return fmt::format("{:.0f} %, {}", per_cent, words);
+}
+
 }  // namespace
 
 std::string in_words(const RequestState& state) {
-  Progress progress{Progress::Phase::kInitialPaths, state.robots_planned, state.conflicts_found,
-                    state.conflicts_resolved, state.rounds};
+  Progress progress{Progress::Phase::kInitialPaths,
+                    state.robots_planned,
+                    state.conflicts_found,
+                    state.conflicts_resolved,
+                    state.rounds,
+                    0,
+                    state.best_cost};
   switch (state.phase) {
     case RequestPhase::kQueued:
       return fmt::format("accepted, {} before it", counted(state.ahead, "request"));
@@ -45,7 +57,7 @@ std::string in_words(const RequestState& state) {
     case RequestPhase::kFinished:
       return "finished";
   }
-  return words(progress, state.robots);
+  return after_per_cent(state.per_cent, words(progress, state.robots));
 }
 
 bool stderr_is_a_terminal() {
@@ -60,7 +72,8 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const Progress& progress) {
-  show(words(progress, robots_));
+  per_cent_ = std::max(per_cent_, per_cent(progress, robots_));
+  show(after_per_cent(per_cent_, words(progress, robots_)));
 }
 
 void ProgressLine::show(const RequestState& state) {

@@ -13,7 +13,8 @@ namespace accord {
 
 bool stderr_is_a_terminal();
 
-// In a few words, such as "conflicts: 12 found, 3 resolutions, round 2".
+// In a few words, such as
+// "43 %, conflicts: 12 found, 3 resolutions, round 2, sum of costs 81.4 s".
 std::string in_words(const RequestState& state);
 
 class ProgressLine {
@@ -33,6 +34,7 @@ class ProgressLine {
   std::ostream& terminal_;
   std::size_t robots_;
   bool shown_ = false;
+  double per_cent_ = 0;  // never falls
   std::chrono::steady_clock::time_point begin_;
 };
 

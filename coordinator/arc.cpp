@@ -22,7 +22,7 @@ Outcome Arc::resolve(ConflictBoard& board) {
   while (round.look_ahead()) {
     if (stop_) return stopped(scene(), board);
     statistics_.conflicts_found = board.found();
-    report(Progress::Phase::kConflicts, schedule_.size());
+    report_conflicts(board.size());
     std::vector<Job> jobs = round.choose();
     ++statistics_.rounds;
     solve(jobs, board);

@@ -7,6 +7,15 @@
 #include "coordinator/stopwatch.h"
 
 namespace accord {
+namespace {
+
+double sum_of_costs(const Schedule& schedule) {
+  double sum = 0;
+  for (std::uint32_t r = 0; r < schedule.size(); ++r) sum += schedule.path({r}).arrival_time();
+  return sum;
+}
+
+}  // namespace
 
 Method::Method(const CollisionWorld& planning, const CollisionWorld& detection, std::uint64_t seed,
                Workforce& workforce, const std::atomic<bool>& stop, ProgressCallback progress)
@@ -43,7 +52,7 @@ std::optional<Outcome> Method::plan_initial_paths() {
   // In slices, so that progress can be told and a stop is heard.
   constexpr std::size_t kSlice = 64;
   for (std::size_t first = 0; first < robots; first += kSlice) {
-    report(Progress::Phase::kInitialPaths, first);
+    report_initial_paths(first);
     const std::size_t count = std::min(kSlice, robots - first);
     std::vector<Subproblem> own;
     for (std::size_t i = 0; i < count; ++i) {
@@ -64,10 +73,15 @@ std::optional<Outcome> Method::plan_initial_paths() {
   return std::nullopt;
 }
 
-void Method::report(Progress::Phase phase, std::size_t robots_planned) const {
+void Method::report_initial_paths(std::size_t robots_planned) const {
+  if (progress_) progress_({Progress::Phase::kInitialPaths, robots_planned, 0, 0, 0});
+}
+
+void Method::report_conflicts(std::size_t conflicts_left) const {
   if (!progress_) return;
-  progress_({phase, robots_planned, statistics_.conflicts_found, statistics_.conflicts_resolved,
-             statistics_.rounds});
+  progress_({Progress::Phase::kConflicts, schedule_.size(), statistics_.conflicts_found,
+             statistics_.conflicts_resolved, statistics_.rounds, conflicts_left,
+             sum_of_costs(schedule_)});
 }
 
 }  // namespace accord

@@ -54,7 +54,8 @@ class Method {
 
  protected:
   const Scene& scene() const { return planning_.scene(); }
-  void report(Progress::Phase phase, std::size_t robots_planned) const;
+  // `conflicts_left`: of those found, the ones that are still in the schedule.
+  void report_conflicts(std::size_t conflicts_left) const;
 
   const CollisionWorld& planning_;
   Workforce& workforce_;
@@ -68,6 +69,7 @@ class Method {
   virtual Outcome resolve(ConflictBoard& board) = 0;
   Outcome plan();
   std::optional<Outcome> plan_initial_paths();
+  void report_initial_paths(std::size_t robots_planned) const;
 
   const CollisionWorld& detection_;
   ProgressCallback progress_;

@@ -127,7 +127,11 @@ Plan plan_with(const CrewFactory& make_crew, const std::shared_ptr<const Scene>&
   fill_statistics(method->statistics(), plan);
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
-    if (report) report({Progress::Phase::kProof, scene->robots.size(), 0, 0, 0});
+    if (report) {
+      const PlanningStatistics& done = method->statistics();
+      report({Progress::Phase::kProof, scene->robots.size(), done.conflicts_found,
+              done.conflicts_resolved, done.rounds, 0, plan.sum_of_costs});
+    }
     const auto proof_begin = Clock::now();
     const Verdict verdict = verify(scene, plan, options.threads, Beyond::kNothing);
     if (!verdict.proved()) {

@@ -7,7 +7,7 @@ namespace accord {
 Outcome WholeProblem::resolve(ConflictBoard& board) {
   if (!board.look_at_all()) return {PlanStatus::kSolved, ""};
   statistics_.conflicts_found = board.found();
-  report(Progress::Phase::kConflicts, schedule_.size());
+  report_conflicts(board.size());
   const Subproblem subproblem = factory_.create_whole(schedule_);
   const Resolution resolution = workforce_.solve({subproblem}, stop_, {}).front();
   ++statistics_.rounds;

@@ -12,7 +12,14 @@
 
 namespace accord {
 
-enum class PlanStatus { kSolved, kInfeasible, kTimeout, kCancelled, kInvalid };
+// Numbers are part of the public topics (idl/fleet.idl): they never change their meaning.
+enum class PlanStatus : std::uint8_t {
+  kSolved = 0,
+  kInfeasible = 1,
+  kTimeout = 2,
+  kCancelled = 3,
+  kInvalid = 4,
+};
 std::string_view to_string(PlanStatus status);
 
 // In which composition of robots, and by which solver, a stretch of a path was planned.

@@ -44,7 +44,9 @@ struct RequestState {
   std::uint64_t conflicts_found = 0;  // so far
   std::uint64_t conflicts_resolved = 0;
   std::uint64_t rounds = 0;
-  double elapsed = 0;  // s, since it was accepted
+  double elapsed = 0;    // s, since it was accepted; of a finished one, until it was finished
+  double per_cent = 0;   // 0 to 100, of the work, as well as known; never falls
+  double best_cost = 0;  // s, sum of costs of the best paths so far; 0: there are none
 
   friend bool operator==(const RequestState&, const RequestState&) = default;
 };

@@ -152,7 +152,8 @@ class RequestDesk {
   };
   struct Kept {  // in the journal
     SceneHash content;
-    double finished = 0;
+    double elapsed = 0;   // s, until it was finished
+    double finished = 0;  // wall clock
   };
   using Requests = std::map<std::string, Request>;
   using Place = std::tuple<std::int64_t, std::uint64_t, std::string>;  // -priority, order, id
@@ -172,6 +173,7 @@ class RequestDesk {
   void finish(const std::string& id, Request& request, Now now);
   void tell(const std::string& id, Request& request, Now now);
   void drop(Requests::iterator request);
+  RequestState state_after(const std::string& id, const Plan& plan) const;
   void say_state(const std::string& id, Request& request, Now now);
   void forget_old(Now now);
   void publish(FleetNews news) { actions_.emplace_back(Publish{std::move(news)}); }

@@ -38,7 +38,8 @@ std::size_t waypoints_of(const Plan& plan) {
 void RequestDesk::restore(const JournalEntry& entry,
                           tl::expected<RequestRecord, std::string> record, Now now) {
   if (entry.outcome) {
-    kept_[entry.id] = {entry.content, entry.outcome->finished_at};
+    const double finished = entry.outcome->finished_at;
+    kept_[entry.id] = {entry.content, std::max(0.0, finished - entry.accepted_at), finished};
     return;
   }
   ++counters_.restored;
@@ -118,12 +119,16 @@ void RequestDesk::on_progress(const std::string& id, const Progress& progress, N
   state.conflicts_resolved =
       std::max<std::uint64_t>(state.conflicts_resolved, progress.conflicts_resolved);
   state.rounds = std::max<std::uint64_t>(state.rounds, progress.rounds);
+  state.per_cent = std::max(state.per_cent, per_cent(progress, state.robots));
+  state.best_cost = progress.sum_of_costs;
   if (found->second.is_accepted) say_state(id, found->second, now);
 }
 
 void RequestDesk::say_state(const std::string& id, Request& request, Now now) {
   RequestState& state = request.state;
-  state.elapsed = std::chrono::duration<double>(now.steady - request.since).count();
+  if (!request.is_told) {
+    state.elapsed = std::chrono::duration<double>(now.steady - request.since).count();
+  }
   state.ahead = 0;
   if (request.stage == Stage::kQueued) {
     const auto place = queue_.find(place_of(id, request));
@@ -178,9 +183,11 @@ void RequestDesk::finish(const std::string& id, Request& request, Now now) {
 }
 
 void RequestDesk::tell(const std::string& id, Request& request, Now now) {
-  request.is_told = true;
   request.state.phase = RequestPhase::kFinished;
+  request.state.per_cent = 100;
+  request.state.best_cost = request.plan.sum_of_costs;
   say_state(id, request, now);
+  request.is_told = true;
   publish(FinishedPlan{id, request.plan, request.scene});
 }
 
@@ -200,7 +207,7 @@ void RequestDesk::on_stored(const std::vector<std::string>& ids, const std::stri
       enqueue(id, found->second);  // for the next coordinator, which plans it anew
       continue;
     }
-    kept_[id] = {found->second.content, now.wall};
+    kept_[id] = {found->second.content, found->second.state.elapsed, now.wall};
     drop(found);
   }
 }

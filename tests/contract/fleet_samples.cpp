@@ -67,7 +67,8 @@ std::vector<FleetRequest> requests() {
 }
 
 std::vector<FleetNews> news() {
-  RequestState state{"order-17", RequestPhase::kConflicts, 3, 16, 15, 1ULL << 40U, 12, 7, 0.1};
+  RequestState state{"order-17", RequestPhase::kConflicts, 3, 16, 15, 1ULL << 40U, 12, 7, 0.1, 62.5,
+                     1e9};
   WorkerStatus worker{0xfedcba9876543210ULL, "h\xc3\xb6st",        4711, "0.1.0", 16, 3,
                       "distrusted",          "its result was none"};
   ServiceStatus service{"0.1.0", "host", 4712, 86400.5, 4, 64, 2, 1, 1ULL << 33U, false};

@@ -103,6 +103,10 @@ Fault fault_of(const RequestReply& reply) {
 }
 Fault fault_of(const RequestState& state) {
   if (state.phase > RequestPhase::kFinished) return "a state of an unknown phase";
+  if (!(state.per_cent >= 0 && state.per_cent <= 100)) return "a state beyond 0 to 100 per cent";
+  if (!std::isfinite(state.elapsed) || !std::isfinite(state.best_cost)) {
+    return "a state with a number that is not finite";
+  }
   return id_fault(state.id);
 }
 Fault fault_of(const WorkerStatus& worker) {

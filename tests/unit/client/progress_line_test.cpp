@@ -19,11 +19,23 @@ std::string shown(const Progress& progress) {
 }
 
 TEST(ProgressLine, SaysHowFarEachPhaseIs) {
-  EXPECT_THAT(shown({Progress::Phase::kInitialPaths, 5, 0, 0, 0}),
-              HasSubstr("paths of single robots: 5 of 12"));
-  EXPECT_THAT(shown({Progress::Phase::kConflicts, 12, 24, 7, 5}),
-              HasSubstr("conflicts: 24 found, 7 resolutions, round 5"));
-  EXPECT_THAT(shown({Progress::Phase::kProof, 12, 24, 7, 5}), HasSubstr("proving"));
+  EXPECT_THAT(shown({Progress::Phase::kInitialPaths, 6, 0, 0, 0}),
+              HasSubstr("5 %, paths of single robots: 6 of 12"));
+  EXPECT_THAT(shown({Progress::Phase::kConflicts, 12, 24, 7, 5, 12, 81.44}),
+              HasSubstr("52 %, conflicts: 24 found, 7 resolutions, round 5, sum of costs 81.4 s"));
+  EXPECT_THAT(shown({Progress::Phase::kProof, 12, 24, 7, 5}), HasSubstr("95 %, proving"));
+}
+
+TEST(ProgressLine, NeverSaysThatThereIsMoreToDoThanBefore) {
+  const Progress half{Progress::Phase::kConflicts, 12, 4, 1, 1, 2};
+  const Progress less{Progress::Phase::kConflicts, 12, 8, 1, 1, 6};
+  std::ostringstream terminal;
+  {
+    ProgressLine line(terminal, 12);
+    line.show(half);
+    line.show(less);
+    EXPECT_THAT(terminal.str(), HasSubstr("52 %, conflicts: 8 found"));
+  }
 }
 
 TEST(ProgressLine, SaysHowFarARequestToAServiceIs) {
@@ -35,7 +47,10 @@ TEST(ProgressLine, SaysHowFarARequestToAServiceIs) {
   state.conflicts_found = 24;
   state.conflicts_resolved = 7;
   state.rounds = 5;
-  EXPECT_EQ(in_words(state), "conflicts: 24 found, 7 resolutions, round 5");
+  state.per_cent = 41.3;
+  state.best_cost = 81.44;
+  EXPECT_EQ(in_words(state),
+            "41 %, conflicts: 24 found, 7 resolutions, round 5, sum of costs 81.4 s");
   state.phase = RequestPhase::kFinished;
   EXPECT_EQ(in_words(state), "finished");
 }

@@ -19,6 +19,12 @@ Fault request_fault(const auto& spoil) {
   return fleet_fault(FleetRequest(request));
 }
 
+Fault state_fault(const auto& spoil) {
+  RequestState state;
+  spoil(state);
+  return fleet_fault(FleetNews(state));
+}
+
 Fault plan_fault(const auto& spoil) {
   FinishedPlan plan = fleet_samples::plan_of("1", 2, 3);
   spoil(plan.plan);
@@ -64,6 +70,17 @@ TEST(FleetLimits, AreKeptByRequests) {
     r.queries = {{"r", std::nullopt, Configuration(limits::kLinks + 1)}};
   }));
   EXPECT_TRUE(request_fault([](PlanRequest& r) { r.solvers.resize(limits::kSolvers + 1); }));
+}
+
+TEST(FleetLimits, AreKeptByStates) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(state_fault([](RequestState& s) { s.per_cent = 100; }), std::nullopt);
+  EXPECT_EQ(state_fault([](RequestState& s) { s.per_cent = 100.5; }),
+            "a state beyond 0 to 100 per cent");
+  EXPECT_TRUE(state_fault([](RequestState& s) { s.per_cent = -1; }));
+  EXPECT_TRUE(state_fault([&](RequestState& s) { s.per_cent = nan; }));
+  EXPECT_TRUE(state_fault([&](RequestState& s) { s.elapsed = nan; }));
+  EXPECT_TRUE(state_fault([&](RequestState& s) { s.best_cost = nan; }));
 }
 
 TEST(FleetLimits, AreKeptByPlans) {

@@ -103,7 +103,7 @@ RequestReply from_wire(fleet::RequestReply& from) {
 
 void to_wire(const RequestState& state, fleet::PlanStatus& out) {
   const auto& [id, phase, ahead, robots, robots_planned, conflicts_found, conflicts_resolved,
-               rounds, elapsed] = state;
+               rounds, elapsed, per_cent, best_cost] = state;
   out.request_id(id);
   out.phase(static_cast<std::uint8_t>(phase));
   out.ahead(ahead);
@@ -113,6 +113,8 @@ void to_wire(const RequestState& state, fleet::PlanStatus& out) {
   out.conflicts_resolved(conflicts_resolved);
   out.rounds(rounds);
   out.elapsed(elapsed);
+  out.per_cent(per_cent);
+  out.best_cost(best_cost);
 }
 
 RequestState from_wire(fleet::PlanStatus& from) {
@@ -124,7 +126,9 @@ RequestState from_wire(fleet::PlanStatus& from) {
           from.conflicts_found(),
           from.conflicts_resolved(),
           from.rounds(),
-          from.elapsed()};
+          from.elapsed(),
+          from.per_cent(),
+          from.best_cost()};
 }
 
 void to_wire(const WorkerStatus& worker, fleet::WorkerStatus& out) {

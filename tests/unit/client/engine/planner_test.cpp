@@ -186,6 +186,22 @@ TEST(Planner, UsesNoSolversButThoseItWasGiven) {
   }
 }
 
+TEST(Planner, ReportsWhatThePathsCostAndHowManyConflictsAreLeft) {
+  std::optional<Progress> first, last;
+  const Plan found = plan(corridor(), {}, [&](const Progress& progress) {
+    if (!first && progress.phase == Progress::Phase::kConflicts) first = progress;
+    last = progress;
+  });
+  ASSERT_TRUE(first);
+  EXPECT_GE(first->conflicts_left, 1U);
+  EXPECT_EQ(first->conflicts_left, first->conflicts_found);
+  EXPECT_NEAR(first->sum_of_costs, 16, 1e-5) << "8 m each at 1 m/s";
+  EXPECT_EQ(last->phase, Progress::Phase::kProof);
+  EXPECT_EQ(last->conflicts_left, 0U);
+  EXPECT_EQ(last->sum_of_costs, found.sum_of_costs);
+  EXPECT_EQ(static_cast<double>(last->conflicts_found), statistic(found, "conflicts_found"));
+}
+
 TEST(Planner, ReportsEachPhaseOnTheCallersThread) {
   std::vector<Progress::Phase> phases;
   const Plan found =

@@ -30,7 +30,7 @@ Plan solved_plan() {
   Plan plan;
   plan.scene = "test";
   plan.status = PlanStatus::kSolved;
-  plan.makespan = 8;
+  plan.makespan = plan.sum_of_costs = 8;
   RobotPlan robot;
   robot.name = "r0";
   robot.trajectory = testing::path({{0, {-4, 0}}, {8, {4, 0}}});
@@ -164,6 +164,46 @@ TEST_F(RequestDeskTest, TakesARequestFromItsSubmissionToItsPlan) {
   ASSERT_THAT(plans_, SizeIs(1));
   EXPECT_EQ(to_json(plans_[0].plan), to_json(solved_plan()));
   EXPECT_EQ(desk_->planning(), 0U);
+}
+
+TEST_F(RequestDeskTest, SaysHowMuchIsDoneAndNeverLessThanBefore) {
+  open();
+  submit("a");
+  EXPECT_EQ(states_.back().per_cent, 0);
+  EXPECT_EQ(states_.back().best_cost, 0) << "there are no paths yet";
+  // In the second round resolutions bring more conflicts than they end.
+  constexpr auto kConflicts = Progress::Phase::kConflicts;
+  for (const Progress& progress :
+       {Progress{kConflicts, 1, 4, 0, 0, 4, 10}, Progress{kConflicts, 1, 4, 2, 1, 2, 11},
+        Progress{kConflicts, 1, 16, 3, 2, 12, 12},
+        Progress{Progress::Phase::kProof, 1, 16, 9, 3, 0, 12}}) {
+    desk_->on_progress("a", progress, now_);
+    settle();
+  }
+  pass(std::chrono::seconds(2));
+  finish("a");
+  std::vector<double> per_cent, costs;
+  for (const RequestState& state : states_) {
+    per_cent.push_back(state.per_cent);
+    costs.push_back(state.best_cost);
+  }
+  EXPECT_THAT(per_cent, ElementsAre(0, 10, 52.5, 52.5, 95, 100));
+  EXPECT_THAT(costs, ElementsAre(0, 10, 11, 12, 12, 8));
+  EXPECT_EQ(states_.back().elapsed, 2);
+}
+
+TEST_F(RequestDeskTest, SaysTheSameOfAFinishedRequestWheneverItIsAsked) {
+  open();
+  submit("a");
+  Plan plan = solved_plan();
+  plan.statistics = {{"conflicts_found", 16}, {"conflicts_resolved", 9}, {"rounds", 3}};
+  desk_->on_progress("a", {Progress::Phase::kProof, 1, 16, 9, 3, 0, 12}, now_);
+  pass(std::chrono::seconds(2));
+  finish("a", plan);
+  const RequestState said = states_.back();
+  pass(std::chrono::seconds(3));
+  ask_again("a");
+  EXPECT_EQ(states_.back(), said);
 }
 
 TEST_F(RequestDeskTest, HasARequestInTheJournalBeforeItSaysSo) {
