@@ -23,7 +23,8 @@ constexpr const char* kFooter = R"(Exit codes:
   0  solved, proved, or done
   1  a bug in accord, or not enough memory
   2  the command line makes no sense
-  3  a file cannot be read or written, or is wrong
+  3  a file cannot be read or written, or is wrong; or a service rejects a request, or knows none
+     of that id
   4  no plan was found by a search that went as far as it goes, or the plan given is refuted
   5  time ran out, or the request was cancelled
   6  no planning service answers)";
@@ -60,6 +61,9 @@ ExitCode run(int argc, char** argv) {
   ExitCode exit_code = ExitCode::kSuccess;
   accord::add_plan_command(app, exit_code);
   accord::add_submit_command(app, exit_code);
+  accord::add_watch_command(app, exit_code);
+  accord::add_cancel_command(app, exit_code);
+  accord::add_workers_command(app, exit_code);
   accord::add_verify_command(app, exit_code);
   accord::add_info_command(app, exit_code);
   accord::add_render_command(app, exit_code);
