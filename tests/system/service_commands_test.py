@@ -14,6 +14,7 @@ import select
 import signal
 import struct
 import subprocess
+import tempfile
 import termios
 import time
 import unittest
@@ -203,6 +204,24 @@ class Watch(ServiceTest):
         except OSError:  # how Linux says that the other side is closed
             pass
         self.assertIn(b"\x1b[?25h\x1b[?1049l", shown)
+
+
+    def test_knows_what_waited_before_a_restart(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        journal = ("--journal", pathlib.Path(folder.name, "journal.db"), "--max-planning", 1)
+        first = self.coordinator(*journal)
+        watch = self.start(ACCORD, "watch")
+        for name, phase in (("planned", "initial_paths"), ("waits", "queued")):
+            self.start(ACCORD, "submit", *ENDLESS, "--id", name, "--quiet")
+            self.line(watch, f"request id={name} phase={phase} ")
+        first.kill()
+        first.wait()
+        self.coordinator(*journal)
+        shown = self.accord("watch", "--once", "--json", "--patience", 30).stdout
+        requests = {line["id"]: line["phase"] for line in map(json.loads, shown.splitlines())
+                    if line["kind"] == "request"}
+        self.assertEqual({"planned": "initial_paths", "waits": "queued"}, requests)
 
 
 class NoService(ServiceTest):
