@@ -7,6 +7,7 @@
 
 #include "client/commands.h"
 #include "client/fleet/cancellation.h"
+#include "client/service_commands.h"
 #include "client/service_port.h"
 #include "client/terminal_text.h"
 #include "common/io/request_names.h"
@@ -63,11 +64,10 @@ ExitCode run(CommandOptions& options) {
 
 void add_cancel_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  CLI::App* command = app.add_subcommand(
-      "cancel", "Cancel requests of a service, and wait for what becomes of each");
-  command->add_option("id", options->ids, "The requests' ids")
+  CLI::App* command = app.add_subcommand(kCancelCommand.name, kCancelCommand.description);
+  command->add_option("ID", options->ids, "The requests' ids")
       ->required()
-      ->type_name("ID")
+      ->type_name("")
       ->check([](const std::string& text) {
         return is_request_id(text) ? "" : "expected " + std::string(kRequestIdInWords);
       });

@@ -18,6 +18,7 @@
 #include "client/option_values.h"
 #include "client/plan_output.h"
 #include "client/progress_line.h"
+#include "client/service_commands.h"
 #include "client/service_options.h"
 #include "client/service_port.h"
 #include "common/io/request_names.h"
@@ -124,8 +125,7 @@ ExitCode run(CommandOptions& options) {
 
 void add_submit_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  CLI::App* command = app.add_subcommand(
-      "submit", "Have a scene planned by a service, and prove here what it answers");
+  CLI::App* command = app.add_subcommand(kSubmitCommand.name, kSubmitCommand.description);
   add_plan_question(*command, options->question);
   command
       ->add_option("--id", options->id,

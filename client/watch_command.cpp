@@ -7,6 +7,7 @@
 
 #include "client/commands.h"
 #include "client/interrupt.h"
+#include "client/service_commands.h"
 #include "client/service_port.h"
 #include "client/watch/change_lines.h"
 #include "client/watch/first_picture.h"
@@ -129,8 +130,7 @@ ExitCode run(CommandOptions& options) {
 
 void add_watch_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  CLI::App* command = app.add_subcommand(
-      "watch", "Show a service, its requests and its workers as they go on, until Ctrl-C");
+  CLI::App* command = app.add_subcommand(kWatchCommand.name, kWatchCommand.description);
   command->add_flag("--once", options->once, "Show them once, and end");
   command->add_flag("--json", options->json, "An object of JSON a line instead of table or text");
   options->patience.add_to(*command, "Seconds until a service has to have answered");

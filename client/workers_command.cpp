@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "client/commands.h"
+#include "client/service_commands.h"
 #include "client/service_port.h"
 #include "client/watch/columns.h"
 #include "client/watch/first_picture.h"
@@ -43,7 +44,7 @@ ExitCode run(CommandOptions& options) {
 
 void add_workers_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  CLI::App* command = app.add_subcommand("workers", "List the workers of a service");
+  CLI::App* command = app.add_subcommand(kWorkersCommand.name, kWorkersCommand.description);
   command->add_flag("--json", options->json, "An object of JSON a line instead of a table");
   options->patience.add_to(*command, "Seconds until a service has to have answered");
   options->service.add_to(*command);

@@ -89,7 +89,8 @@ std::optional<WatchedFleet::Change> WatchedFleet::take_worker(WorkerStatus statu
   const auto known = workers_.find(status.worker);
   if (known == workers_.end()) {
     if (status.standing == kLost || workers_.size() >= kWorkers) return std::nullopt;
-    return workers_[status.worker] = {std::move(status), now, now};
+    const std::uint64_t id = status.worker;
+    return workers_[id] = {std::move(status), now, now};
   }
   WatchedWorker& worker = known->second;
   worker.heard = now;

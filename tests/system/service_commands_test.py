@@ -11,6 +11,7 @@ import pty
 import random
 import re
 import select
+import shutil
 import signal
 import struct
 import subprocess
@@ -222,6 +223,31 @@ class Watch(ServiceTest):
         requests = {line["id"]: line["phase"] for line in map(json.loads, shown.splitlines())
                     if line["kind"] == "request"}
         self.assertEqual({"planned": "initial_paths", "waits": "queued"}, requests)
+
+
+class Delegation(ServiceTest):
+    """What asks a service is in accord-fleet, beside accord."""
+
+    def test_keeps_dds_out_of_what_plans_here(self):
+        self.environment["LD_TRACE_LOADED_OBJECTS"] = "1"  # as ldd does
+        self.assertNotIn("fastrtps", self.accord().stdout)
+
+    def test_names_the_program_that_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = shutil.copy(ACCORD, folder)
+            result = subprocess.run([alone, "watch"], text=True, capture_output=True, timeout=60,
+                                    check=False)
+            self.assert_exit(BAD_INPUT, result)
+            self.assertEqual(f"accord: cannot start {folder}/accord-fleet: No such file or "
+                             "directory\n", result.stderr)
+
+    def test_hands_the_command_line_on(self):
+        help_text = self.accord("cancel", "--help")
+        self.assert_exit(DONE, help_text)
+        self.assertIn("Usage: accord cancel [OPTIONS] ID...", help_text.stdout)
+        result = self.accord("workers", "--domain", "many")
+        self.assert_exit(USAGE, result)
+        self.assertIn("--domain: expected a whole number", result.stderr)
 
 
 class NoService(ServiceTest):

@@ -31,7 +31,7 @@ class ServiceCommands : public testing::Test {
 };
 
 TEST_F(ServiceCommands, RefuseWhatMakesNoSense) {
-  EXPECT_THAT(fault_of("cancel"), HasSubstr("id is required"));
+  EXPECT_THAT(fault_of("cancel"), HasSubstr("ID is required"));
   EXPECT_THAT(fault_of("cancel good b@d"), HasSubstr("1 to 128 letters"));
   EXPECT_THAT(fault_of("workers --patience 0"), HasSubstr("--patience"));
   EXPECT_THAT(fault_of("workers --once"), HasSubstr("--once"));
