@@ -50,14 +50,15 @@ Row row_of(const WatchedWorker& worker) {
 
 Row row_of(const WatchedService& service, WatchTime now) {
   const ServiceStatus& status = service.status;
+  // Those in tables fit into 80 columns.
   return {
       {"present", "", service.is_present},
       {"host", "host", status.host},
-      {"process", "process", std::uint64_t{status.process}},
+      {"process", "", std::uint64_t{status.process}},
       {"version", "version", status.version},
       {"uptime", "uptime", Seconds{service.uptime(now)}},
       {"workers", "workers", std::uint64_t{status.workers}},
-      {"threads", "threads", std::uint64_t{status.threads}},
+      {"threads", "", std::uint64_t{status.threads}},
       {"queued", "queued", std::uint64_t{status.queued}},
       {"planning", "planning", std::uint64_t{status.planning}},
       {"finished", "finished", status.finished},

@@ -132,7 +132,7 @@ class Watch(ServiceTest):
                                            "--quiet"))
         result = self.accord("watch", "--once")
         self.assert_exit(DONE, result)
-        self.assertRegex(result.stdout, r"(?m)^host +process +version +uptime")
+        self.assertRegex(result.stdout, r"(?m)^host +version +uptime +workers")
         self.assertRegex(result.stdout, r"(?m)^before +finished .* solved$")
         self.assertEqual(2, len(re.findall("(?m)welcome$", result.stdout)), result.stdout)
         kinds = [json.loads(line)["kind"] for line in
@@ -181,6 +181,10 @@ class Watch(ServiceTest):
         self.assertLessEqual(len(lines), 9, lines)
         self.assertLessEqual(max(map(len, lines)), 30, lines)
         self.assertTrue(any(line.startswith("the-l") for line in lines), lines)
+        watch.send_signal(signal.SIGTSTP)  # Ctrl-Z: the terminal is the shell's meanwhile
+        read_until(r"\x1b\[\?25h\x1b\[\?1049l$")
+        watch.send_signal(signal.SIGCONT)
+        read_until(r"\x1b\[\?1049h\x1b\[\?25l.*\x1b\[H")
         watch.send_signal(signal.SIGINT)
         shown = read_until(r"\x1b\[\?1049l(.*\n)+")
         self.assertIn("\x1b[?25h\x1b[?1049l", shown)
