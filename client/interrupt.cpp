@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstring>
 #include <string_view>
 
 #include "client/exit_code.h"
@@ -16,7 +17,9 @@ constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 std::atomic<bool> someone_looks = false;
 std::atomic<bool> raised = false;
 std::atomic<bool> on_terminal = false;  // whose line may hold progress or an echoed ^C
+std::atomic<const char*> last_words = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
 std::string_view message_of(int signal) {
   switch (signal) {
@@ -32,6 +35,9 @@ std::string_view message_of(int signal) {
 // Only what POSIX allows in a signal handler: no streams, no destructors.
 extern "C" void on_signal(int signal) {
   if (someone_looks && !raised.exchange(true)) return;
+  if (const char* text = last_words; text != nullptr) {
+    [[maybe_unused]] const ssize_t put_right = write(STDOUT_FILENO, text, strlen(text));
+  }
   std::string_view message = message_of(signal);
   if (!on_terminal) message.remove_prefix(1);
   // Where standard error is gone as well, nothing is left to tell.
@@ -58,6 +64,10 @@ void end_on_signals() {
     if (signal == SIGHUP && is_ignored(signal)) continue;
     sigaction(signal, &action, nullptr);
   }
+}
+
+void write_when_ended(const char* text) {
+  last_words = text;
 }
 
 CancelOnSignal::CancelOnSignal() {

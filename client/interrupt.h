@@ -11,6 +11,10 @@ namespace accord {
 // ExitCode::kTimeout. A SIGHUP that is ignored (nohup) stays so. Call once, first thing in main().
 void end_on_signals();
 
+// What such a signal writes to standard output before it ends the program: what puts a terminal
+// right. nullptr: nothing. Requires: a text that lives as long as the program.
+void write_when_ended(const char* text);
+
 // While one lives, the first signal only raises a flag, for a request that looks at it; another one
 // ends the program. One at a time.
 class CancelOnSignal {

@@ -1,101 +1,20 @@
 // The `accord` command.
-#include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
-#include <new>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <vector>
-
+#include "client/application.h"
 #include "client/commands.h"
-#include "client/exit_code.h"
-#include "client/files.h"
-#include "client/interrupt.h"
-#include "common/io/words.h"
-
-namespace {
-
-using accord::ExitCode;
-
-constexpr const char* kFooter = R"(Exit codes:
-  0  solved, proved, or done
-  1  a bug in accord, or not enough memory
-  2  the command line makes no sense
-  3  a file cannot be read or written, or is wrong
-  4  no plan was found by a search that went as far as it goes, or the plan given is refuted
-  5  time ran out, or the request was cancelled
-  6  no planning service answers)";
-
-// What to say of a word in the place of a command that is none; CLI11 would only say that a command
-// is missing.
-std::optional<std::string> unknown_command(const CLI::App& app) {
-  const std::vector<std::string> left = app.remaining();
-  if (left.empty() || left.front().starts_with('-')) return std::nullopt;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::vector<std::string_view> commands(names.begin(), names.end());
-  return "there is no command " + accord::in_quotes(left.front()) + "; expected " +
-         accord::alternatives(commands);
-}
-
-ExitCode explain(const CLI::App& app, const CLI::ParseError& error) {
-  const bool asked_for_help = error.get_exit_code() == 0;
-  const std::optional<std::string> unknown = asked_for_help ? std::nullopt : unknown_command(app);
-  if (unknown) {
-    app.exit(CLI::ValidationError(*unknown));
-  } else {
-    app.exit(error);
-  }
-  return asked_for_help ? ExitCode::kSuccess : ExitCode::kUsage;
-}
-
-ExitCode run(int argc, char** argv) {
-  CLI::App app("Plans collision-free motions for many robots at once, and proves them.", "accord");
-  app.require_subcommand(1);
-  app.footer(kFooter);
-  app.set_version_flag("--version", ACCORD_VERSION);
-
-  ExitCode exit_code = ExitCode::kSuccess;
-  accord::add_plan_command(app, exit_code);
-  accord::add_submit_command(app, exit_code);
-  accord::add_verify_command(app, exit_code);
-  accord::add_info_command(app, exit_code);
-  accord::add_render_command(app, exit_code);
-  accord::add_replay_command(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return explain(app, error);
-  }
-  return exit_code;
-}
-
-ExitCode explain_internal(const std::exception& error) {
-  const auto* system = dynamic_cast<const std::system_error*>(&error);
-  if (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) {
-    std::cerr << "accord: out of memory or threads\n";
-  } else {
-    std::cerr << "accord: internal error: " << error.what()
-              << "\nThis is a bug in accord. Please report it with the scene and the command.\n";
-  }
-  return ExitCode::kBug;
-}
-
-}  // namespace
+#include "client/delegation.h"
+#include "client/service_commands.h"
 
 int main(int argc, char** argv) {
-  accord::end_on_signals();
-  try {
-    const ExitCode exit_code = run(argc, argv);
-    // Whatever a command found out is lost if what it printed is.
-    const bool printed = accord::flush_output_or_explain();
-    return static_cast<int>(printed ? exit_code : ExitCode::kBadInput);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "accord: out of memory\n";
-    return static_cast<int>(ExitCode::kBug);
-  } catch (const std::exception& error) {
-    return static_cast<int>(explain_internal(error));
-  }
+  using namespace accord;
+  return run_application(argc, argv, [argv](CLI::App& app, ExitCode& exit_code) {
+    add_plan_command(app, exit_code);
+    for (const ServiceCommand& command :
+         {kSubmitCommand, kWatchCommand, kCancelCommand, kWorkersCommand}) {
+      add_delegated_command(app, exit_code, command, argv);
+    }
+    add_verify_command(app, exit_code);
+    add_info_command(app, exit_code);
+    add_render_command(app, exit_code);
+    add_replay_command(app, exit_code);
+  });
 }

@@ -9,6 +9,7 @@
 #include "client/counted.h"
 #include "client/table.h"
 #include "client/verdict_text.h"
+#include "common/io/words.h"
 
 namespace accord {
 namespace {
@@ -73,7 +74,8 @@ std::string solved_text(const Scene& scene, const Plan& plan, const Verdict& ver
 }
 
 std::string unsolved_text(const Plan& plan) {
-  return fmt::format("{}: {}\n", to_string(plan.status), plan.message);
+  constexpr std::size_t kMessage = 64U << 10U;  // bytes; it may come from a service
+  return fmt::format("{}: {}\n", to_string(plan.status), printable(plan.message, kMessage));
 }
 
 }  // namespace accord

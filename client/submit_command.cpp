@@ -18,9 +18,12 @@
 #include "client/option_values.h"
 #include "client/plan_output.h"
 #include "client/progress_line.h"
+#include "client/service_commands.h"
 #include "client/service_options.h"
+#include "client/service_port.h"
 #include "common/io/request_names.h"
-#include "common/transport/fleet/dds_fleet.h"
+#include "common/io/words.h"
+#include "common/transport/fleet/fleet_limits.h"
 
 namespace accord {
 namespace {
@@ -30,7 +33,7 @@ struct CommandOptions {
   ServiceOptions service;
   std::string id;  // empty: one of its own
   std::int32_t priority = 0;
-  double patience = 10;  // s
+  Patience patience;
 };
 
 // No other request's, for all that chance can do.
@@ -65,15 +68,19 @@ class Reporter {
   std::optional<RequestPhase> phase_;
 };
 
+std::string in_words(const RequestReply& reply) {
+  std::string out = "rejected: " + std::string(to_string(reply.reason)) + ": ";
+  if (!reply.field.empty()) out += printable(reply.field, kFleetTextBytes) + ": ";
+  return out + printable(reply.text, kFleetTextBytes);
+}
+
 ExitCode explain(const NoAnswer& none, const CommandOptions& options) {
   if (none.why == NoAnswer::Why::kNoService) {
-    std::cerr << "accord: no service has answered within " << options.patience
-              << " s; is a coordinator running in the same domain and cluster?\n";
+    explain_no_service(options.patience);
     return ExitCode::kNoService;
   }
   const RequestReply& reply = none.reply;
-  std::cerr << "rejected: " << to_string(reply.reason) << ": "
-            << (reply.field.empty() ? "" : reply.field + ": ") << reply.text << "\n";
+  std::cerr << in_words(reply) << "\n";
   return ExitCode::kBadInput;
 }
 
@@ -96,15 +103,11 @@ ExitCode run(CommandOptions& options) {
     for (const Diagnostic& fault : read.faults) std::cerr << to_string(fault) << "\n";
     return ExitCode::kBadInput;
   }
-  auto port = make_dds_fleet_client(dds);
-  if (!port) {
-    std::cerr << "accord: " << port.error() << "\n";
-    return ExitCode::kNoService;
-  }
+  const auto port = open_port_or_explain(dds, HeardPlans::kWhole);
+  if (!port) return ExitCode::kNoService;
   FleetManager::Settings settings;
-  settings.patience = std::chrono::duration_cast<FleetManager::Clock::duration>(
-      std::chrono::duration<double>(options.patience));
-  FleetManager manager(**port, settings);
+  settings.patience = options.patience.duration();
+  FleetManager manager(*port, settings);
   const CancelOnSignal on_signal;
   tl::expected<Plan, NoAnswer> answer;
   {
@@ -122,8 +125,7 @@ ExitCode run(CommandOptions& options) {
 
 void add_submit_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  CLI::App* command = app.add_subcommand(
-      "submit", "Have a scene planned by a service, and prove here what it answers");
+  CLI::App* command = app.add_subcommand(kSubmitCommand.name, kSubmitCommand.description);
   add_plan_question(*command, options->question);
   command
       ->add_option("--id", options->id,
@@ -133,11 +135,7 @@ void add_submit_command(CLI::App& app, ExitCode& exit_code) {
       });
   command->add_option("--priority", options->priority, "The higher, the sooner it is begun")
       ->capture_default_str();
-  command
-      ->add_option("--patience", options->patience,
-                   "Seconds until a service has to have accepted the request")
-      ->capture_default_str()
-      ->check(seconds_within(0.1, 1e6));
+  options->patience.add_to(*command, "Seconds until a service has to have accepted the request");
   options->service.add_to(*command);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

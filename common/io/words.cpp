@@ -26,6 +26,11 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+// U+0080 to U+009F, which many a terminal obeys as it does ESC and what follows.
+bool is_second_control(std::string_view text, std::size_t length) {
+  return length == 2 && text[0] == '\xC2' && static_cast<unsigned char>(text[1]) < 0xA0;
+}
+
 // Edits (insert, delete, replace, swap of neighbours) that turn a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -54,7 +59,7 @@ std::string printable(std::string_view text, std::size_t max_bytes) {
       out += "...";
       break;
     }
-    if (length == 0 || byte < 0x20 || byte == 0x7F) {
+    if (length == 0 || byte < 0x20 || byte == 0x7F || is_second_control(text, length)) {
       std::array<char, 8> escape{};
       std::snprintf(escape.data(), escape.size(), "\\x%02X", byte);
       out += escape.data();

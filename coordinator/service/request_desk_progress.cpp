@@ -59,6 +59,7 @@ void RequestDesk::restore(const JournalEntry& entry,
   request.scene = std::move(record->scene);
   set_options(record->request, request);
   enqueue(entry.id, request);
+  say_state(entry.id, request, now);  // who watches knows nothing of the life before
 }
 
 RequestDesk::Place RequestDesk::place_of(const std::string& id, const Request& request) const {

@@ -15,6 +15,7 @@
 #include "common/transport/fleet/fleet_limits.h"
 #include "tests/contract/dds_world.h"
 #include "tests/contract/fleet_contract.h"
+#include "tests/contract/fleet_samples.h"
 
 namespace accord {
 namespace {
@@ -94,6 +95,61 @@ class Garbage final : public fleet::PlanRequestPubSubType {
   }
 };
 
+// ---- Who wants to hear how plans end, and nothing of paths ----
+
+class DdsFleetOutcomes : public testing::Test {
+ protected:
+  std::unique_ptr<FleetClientPort> join(HeardPlans plans) {
+    auto client = make_dds_fleet_client(options_, plans);
+    if (!client || !until([&] { return (*client)->has_service(); })) {
+      throw std::runtime_error("it finds no service");
+    }
+    return std::move(*client);
+  }
+  // How the next plan ended that it hears of.
+  static std::optional<FinishedPlan> next(FleetClientPort& client) {
+    std::optional<FleetNews> news;
+    until([&] { return (news = client.take()) && std::holds_alternative<FinishedPlan>(*news); });
+    return news ? std::optional(std::get<FinishedPlan>(*news)) : std::nullopt;
+  }
+
+  DdsOptions options_ = local_dds(Transport::kUdp);
+  std::unique_ptr<FleetServicePort> service_ = DdsFleetWorld(options_).serve([] {});
+};
+
+TEST_F(DdsFleetOutcomes, ComeWithNamesOfRobotsAndNoPaths) {
+  const auto client = join(HeardPlans::kOutcomes);
+  service_->publish(fleet_samples::plan_of("1", 3, 20));
+  const auto heard = next(*client);
+  ASSERT_TRUE(heard);
+  EXPECT_EQ(heard->id, "1");
+  ASSERT_EQ(heard->plan.robots.size(), 3U);
+  EXPECT_TRUE(heard->plan.robots[0].trajectory.empty());
+  service_->publish(fleet_samples::plan_of("1", 3, 20));
+  EXPECT_TRUE(next(*client)) << "again, where somebody has asked for it again";
+}
+
+TEST_F(DdsFleetOutcomes, OfThePastComeToThoseWhoWantThem) {
+  service_->publish(fleet_samples::plan_of("before", 3, 20));
+  const auto from_now_on = join(HeardPlans::kOutcomes);
+  const auto all = join(HeardPlans::kAllOutcomes);
+  EXPECT_EQ(next(*all).value().id, "before");
+  service_->publish(fleet_samples::plan_of("later", 3, 20));
+  EXPECT_EQ(next(*all).value().id, "later");
+  EXPECT_EQ(next(*from_now_on).value().id, "later");
+}
+
+TEST_F(DdsFleetOutcomes, AreForThoseWhoCancelAndDoNotRequest) {
+  const auto client = join(HeardPlans::kOutcomes);
+  PlanRequest request;
+  request.id = "1";
+  EXPECT_FALSE(client->send(request));
+  ASSERT_TRUE(client->send(CancelRequest{"1"}));
+  std::optional<FleetRequest> heard;
+  EXPECT_TRUE(until([&] { return (heard = service_->take()).has_value(); }));
+  EXPECT_EQ(heard, FleetRequest(CancelRequest{"1"}));
+}
+
 class DdsFleetStrangers : public testing::Test {
  protected:
   DdsFleetStrangers() {
@@ -135,7 +191,8 @@ TEST_F(DdsFleetStrangers, ThatListenToRequestsAreNoService) {
 
 TEST_F(DdsFleetStrangers, ThatAskForMoreThanMayBeAreCountedAndTold) {
   DataWriter* writer = stranger_->add_writer<PlanRequest>(nullptr);
-  auto* replies = stranger_->add_reader<RequestReply>(nullptr);
+  // Late, since the service may find the writer before it finds this reader.
+  auto* replies = stranger_->add_reader<RequestReply>(nullptr, true);
   ASSERT_TRUE(until([&] { return is_matched(*writer); }));
   PlanRequest request;
   request.id = "huge";

@@ -20,7 +20,10 @@ RULES = {
     "common/transport": COMMON + ["common/io", "common/runtime"],
     "worker": ALL_COMMON,
     "coordinator": ALL_COMMON,
-    "client": ALL_COMMON + ["worker", "coordinator"],
+    # What a fleet manager links: nothing of the planner.
+    "client/fleet": ALL_COMMON,
+    "client/example": ALL_COMMON + ["client/fleet"],
+    "client": ALL_COMMON + ["worker", "coordinator", "client/fleet"],
 }
 
 # Third parties' headers, and the folders that may include them.
@@ -44,7 +47,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def folder_of(path):
-    """The layer that a path belongs to, None if it is none of ours."""
+    """The layer that a path belongs to, None if it is none of ours. Inner folders come first."""
     return next((folder for folder in RULES if path.startswith(folder + "/")), None)
 
 
@@ -79,6 +82,9 @@ def self_test():
         ("common/planning/a.cpp", '#include "common/io/b.h"'),
         ("common/io/a.cpp", '#include "common/runtime/b.h"'),
         ("worker/a.cpp", '#include "coordinator/b.h"'),
+        ("client/fleet/a.cpp", '#include "client/engine/b.h"'),
+        ("client/fleet/a.cpp", '#include "worker/b.h"'),
+        ("client/example/a.cpp", '#include "client/files.h"'),
         ("coordinator/a.cpp", '# include "worker/b.h"'),
         ("coordinator/a.cpp", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.h", "#include <fastdds/dds/topic.hpp>"),
@@ -99,6 +105,8 @@ def self_test():
     good = [
         ("common/planning/a.cpp", '#include "common/geometry/b.h"'),
         ("client/a.cpp", '#include "coordinator/b.h"'),
+        ("client/a.cpp", '#include "client/fleet/b.h"'),
+        ("client/example/a.cpp", '#include "client/fleet/b.h"'),
         ("common/transport/a.cpp", "#include <fastdds/dds/topic.hpp>"),
         ("common/transport/a.cpp", '#include "common/transport/dds/b.h"'),
         ("common/transport/dds/a.h", "#include <fastdds/dds/topic.hpp>"),
@@ -117,8 +125,8 @@ def self_test():
 def main():
     self_test()
     root = pathlib.Path(__file__).resolve().parents[2]
-    files = [f for folder in RULES for f in sorted((root / folder).rglob("*"))
-             if f.suffix in (".h", ".cpp")]
+    files = sorted({f for folder in RULES for f in (root / folder).rglob("*")
+                    if f.suffix in (".h", ".cpp")})
     assert files, "no sources found"
     found = [b for f in files for b in breaches(str(f.relative_to(root)), f.read_text())]
     print("\n".join(found) or f"{len(files)} files keep to the layers")

@@ -16,8 +16,10 @@ PlanAssembly::Time now() {
 }  // namespace
 
 bool AssemblingClient::send(const FleetRequest& request) {
+  if (!wants_paths_ && std::holds_alternative<PlanRequest>(request)) return false;
   if (fleet_fault(request) || !has_service() || !do_send(request)) return false;
   ++counters_.sent;
+  if (!wants_paths_) return true;
   if (const auto* plan = std::get_if<PlanRequest>(&request)) assembly_.expect(plan->id);
   if (const auto* resend = std::get_if<ResendRequest>(&request)) assembly_.expect(resend->id);
   return true;
@@ -43,9 +45,13 @@ std::optional<FleetNews> AssemblingClient::take() {
 
 std::optional<FleetNews> AssemblingClient::news_of(FleetPart part) {
   if (auto* outline = std::get_if<PlanOutline>(&part)) {
+    if (!wants_paths_) return FinishedPlan{std::move(outline->id), std::move(outline->plan)};
     return assembly_.add(std::move(*outline), now());
   }
-  if (auto* piece = std::get_if<PathPiece>(&part)) return assembly_.add(std::move(*piece), now());
+  if (auto* piece = std::get_if<PathPiece>(&part)) {
+    if (!wants_paths_) return std::nullopt;
+    return assembly_.add(std::move(*piece), now());
+  }
   if (auto* state = std::get_if<RequestState>(&part)) {
     if (state->phase == RequestPhase::kFinished) assembly_.note_finished(state->id, now());
     return std::move(*state);

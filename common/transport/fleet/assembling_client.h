@@ -1,5 +1,6 @@
 // What every FleetClientPort does alike: checks what goes and comes, puts plans together, and asks
-// for those that come with a gap. Implementations carry parts.
+// for those that come with a gap; or gives their outlines, where outcomes are all that is wanted.
+// Implementations carry parts.
 #pragma once
 
 #include <chrono>
@@ -24,7 +25,9 @@ class AssemblingClient : public FleetClientPort {
   const FleetCounters& counters() const final { return counters_; }
 
  protected:
-  explicit AssemblingClient(std::chrono::nanoseconds patience = kPatience) : assembly_(patience) {}
+  explicit AssemblingClient(std::chrono::nanoseconds patience = kPatience,
+                            HeardPlans plans = HeardPlans::kWhole)
+      : wants_paths_(plans == HeardPlans::kWhole), assembly_(patience) {}
 
  private:
   // False: not sent. Requires: fleet_fault() of it is nullopt.
@@ -39,6 +42,7 @@ class AssemblingClient : public FleetClientPort {
   std::optional<FleetNews> news_of(FleetPart part);
   void ask_again();
 
+  const bool wants_paths_;
   PlanAssembly assembly_;
   FleetCounters counters_;
   std::uint64_t beyond_limits_ = 0;

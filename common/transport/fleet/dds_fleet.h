@@ -22,8 +22,9 @@ namespace accord {
 tl::expected<std::unique_ptr<FleetServicePort>, std::string> make_dds_fleet_service(
     const DdsOptions& options, std::function<void()> wake, const RosOptions& ros = {});
 
-// Asks by itself, while take() and wait() are called, for plans that come with a gap.
+// Asks by itself, while take() and wait() are called, for whole plans that come with a gap. Without
+// those, nothing of the paths travels to it, and it sends no PlanRequest.
 tl::expected<std::unique_ptr<FleetClientPort>, std::string> make_dds_fleet_client(
-    const DdsOptions& options);
+    const DdsOptions& options, HeardPlans plans = HeardPlans::kWhole);
 
 }  // namespace accord

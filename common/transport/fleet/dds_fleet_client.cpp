@@ -13,13 +13,18 @@ using namespace dds;
 using eprosima::fastdds::dds::DataReader;
 using eprosima::fastdds::dds::DataWriter;
 
-// A service has 3 readers that ours writers match, and 6 writers.
-constexpr std::size_t kPairs = 9;
+// A service has 3 readers that our writers match, and 6 writers. Who hears no whole plans has
+// neither use for requests nor for paths.
+constexpr std::size_t pairs_for(HeardPlans plans) {
+  return plans == HeardPlans::kWhole ? 9 : 7;
+}
 
 class DdsFleetClient final : public AssemblingClient {
  public:
-  explicit DdsFleetClient(const std::string& cluster)
-      : watch_(fleet_user_data(cluster, kServiceRole), kPairs, signal_),
+  DdsFleetClient(const std::string& cluster, HeardPlans plans)
+      : AssemblingClient(kPatience, plans),
+        plans_(plans),
+        watch_(fleet_user_data(cluster, kServiceRole), pairs_for(plans), signal_),
         listener_(watch_, signal_) {}
 
   std::optional<std::string> open(const DdsOptions& options) {
@@ -27,19 +32,23 @@ class DdsFleetClient final : public AssemblingClient {
         FleetParticipant::create(options, options.cluster, kClientRole, &listener_, &refused_);
     if (!participant) return participant.error();
     participant_ = std::move(*participant);
-    requests_ = participant_->add_writer<PlanRequest>(&listener_);
+    if (has_paths()) {
+      requests_ = participant_->add_writer<PlanRequest>(&listener_);
+      paths_ = participant_->add_reader<PathPiece>(&listener_);
+      if (requests_ == nullptr || paths_ == nullptr) return "DDS refused a reader or a writer";
+    }
     cancels_ = participant_->add_writer<CancelRequest>(&listener_);
     resends_ = participant_->add_writer<ResendRequest>(&listener_);
     replies_ = participant_->add_reader<RequestReply>(&listener_);
     states_ = participant_->add_reader<RequestState>(&listener_);
-    outlines_ = participant_->add_reader<PlanOutline>(&listener_);
-    paths_ = participant_->add_reader<PathPiece>(&listener_);
+    outlines_ = participant_->add_reader<PlanOutline>(
+        &listener_, kFleetTopic<PlanOutline>.late || plans_ == HeardPlans::kAllOutcomes);
     workers_ = participant_->add_reader<WorkerStatus>(&listener_);
     service_ = participant_->add_reader<ServiceStatus>(&listener_);
-    for (const DataWriter* writer : {requests_, cancels_, resends_}) {
+    for (const DataWriter* writer : {cancels_, resends_}) {
       if (writer == nullptr) return "DDS refused a writer";
     }
-    for (const DataReader* reader : {replies_, states_, outlines_, paths_, workers_, service_}) {
+    for (const DataReader* reader : {replies_, states_, outlines_, workers_, service_}) {
       if (reader == nullptr) return "DDS refused a reader";
     }
     return std::nullopt;
@@ -61,11 +70,14 @@ class DdsFleetClient final : public AssemblingClient {
     if (auto service = read<ServiceStatus>(*service_)) return service;
     if (auto worker = read<WorkerStatus>(*workers_)) return worker;
     if (auto outline = read<PlanOutline>(*outlines_)) return outline;
-    return read<PathPiece>(*paths_);
+    return has_paths() ? std::optional<FleetPart>(read<PathPiece>(*paths_)) : std::nullopt;
   }
   void do_wait(std::chrono::nanoseconds timeout) override { signal_.wait(timeout); }
   std::uint64_t unreadable() const override { return refused_; }
 
+  bool has_paths() const { return plans_ == HeardPlans::kWhole; }
+
+  const HeardPlans plans_;
   Signal signal_;
   ServiceWatch watch_;
   ClientListener listener_;
@@ -86,11 +98,11 @@ class DdsFleetClient final : public AssemblingClient {
 }  // namespace
 
 tl::expected<std::unique_ptr<FleetClientPort>, std::string> make_dds_fleet_client(
-    const DdsOptions& options) {
+    const DdsOptions& options, HeardPlans plans) {
   if (const auto fault = options_fault(options)) {
     return tl::unexpected(fault->option + ": " + fault->text);
   }
-  auto client = std::make_unique<DdsFleetClient>(options.cluster);
+  auto client = std::make_unique<DdsFleetClient>(options.cluster, plans);
   if (auto fault = client->open(options)) return tl::unexpected(std::move(*fault));
   return client;
 }

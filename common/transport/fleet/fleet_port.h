@@ -36,6 +36,14 @@ class FleetServicePort {
   virtual const FleetCounters& counters() const = 0;
 };
 
+// What a fleet manager's end hears of plans.
+enum class HeardPlans {
+  kWhole,        // each as soon as it is complete, from now on
+  kOutcomes,     // how each ended, from now on: its robots have names only. For who plans nothing
+  kAllOutcomes,  // those of before, too, as far as the service remembers; where a request of old
+                 // had the id of one that is on its way, its outcome comes as well
+};
+
 // A fleet manager's end.
 class FleetClientPort {
  public:
@@ -43,7 +51,7 @@ class FleetClientPort {
 
   // False: not sent, since no service is there or it does not take: try again later.
   virtual bool send(const FleetRequest& request) = 0;
-  // The next news of whatever request. A plan comes once it is complete.
+  // The next news of whatever request. A plan comes as HeardPlans says.
   virtual std::optional<FleetNews> take() = 0;
   // Waits until take() may give something. May return early.
   virtual void wait(std::chrono::nanoseconds timeout) = 0;

@@ -44,8 +44,9 @@ class SimulatedService final : public CheckedService {
 
 class SimulatedClient final : public AssemblingClient {
  public:
-  SimulatedClient(std::shared_ptr<SimulatedFleetCore> core, std::chrono::nanoseconds patience)
-      : AssemblingClient(patience), core_(std::move(core)), self_(core_->join()) {}
+  SimulatedClient(std::shared_ptr<SimulatedFleetCore> core, std::chrono::nanoseconds patience,
+                  HeardPlans plans)
+      : AssemblingClient(patience, plans), core_(std::move(core)), self_(core_->join()) {}
   ~SimulatedClient() override { core_->leave(self_); }
 
   bool has_service() const override { return core_->has_service(); }
@@ -71,8 +72,8 @@ std::unique_ptr<FleetServicePort> SimulatedFleet::serve(std::function<void()> wa
   return std::make_unique<SimulatedService>(core_, std::move(wake));
 }
 
-std::unique_ptr<FleetClientPort> SimulatedFleet::join() {
-  return std::make_unique<SimulatedClient>(core_, patience_);
+std::unique_ptr<FleetClientPort> SimulatedFleet::join(HeardPlans plans) {
+  return std::make_unique<SimulatedClient>(core_, patience_, plans);
 }
 
 void SimulatedFleet::set_faults(const FleetFaults& faults) {

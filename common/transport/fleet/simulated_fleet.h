@@ -37,7 +37,7 @@ class SimulatedFleet {
   // `wake` is called while the fleet is locked: it must not call any port. Requires: no service is
   // there.
   std::unique_ptr<FleetServicePort> serve(std::function<void()> wake);
-  std::unique_ptr<FleetClientPort> join();
+  std::unique_ptr<FleetClientPort> join(HeardPlans plans = HeardPlans::kWhole);
 
   void set_faults(const FleetFaults& faults);
 

@@ -15,6 +15,7 @@ TEST(InQuotes, EscapesWhatWouldBreakALine) {
   EXPECT_EQ(in_quotes("\x1B[31m"), "\"\\x1B[31m\"");
   EXPECT_EQ(in_quotes("\xFF"), "\"\\xFF\"");
   EXPECT_EQ(in_quotes("Gerät"), "\"Gerät\"");
+  EXPECT_EQ(in_quotes("\xC2\x9B[31m \xC2\xA0"), "\"\\xC2\\x9B[31m \xC2\xA0\"") << "U+009B is ESC [";
 }
 
 TEST(InQuotes, CutsLongTextBetweenCharacters) {

@@ -46,16 +46,17 @@ class FleetParticipant {
                                              : latest_writer_qos(kTopic.writer_depth),
                                          listener);
   }
+  // late: whether it gets the writer's history, where this is news.
   template <typename Value>
   eprosima::fastdds::dds::DataReader* add_reader(
-      eprosima::fastdds::dds::DataReaderListener* listener) {
+      eprosima::fastdds::dds::DataReaderListener* listener, bool late = kFleetTopic<Value>.late) {
     constexpr const FleetTopic& kTopic = kFleetTopic<Value>;
     auto* topic = add_topic_of<Value>();
     if (topic == nullptr) return nullptr;
     return subscriber_->create_datareader(topic,
                                           kTopic.kind == FleetTopic::Kind::kRequest
                                               ? reader_qos(kTopic.reader_depth)
-                                              : latest_reader_qos(kTopic.reader_depth, kTopic.late),
+                                              : latest_reader_qos(kTopic.reader_depth, late),
                                           listener);
   }
 

@@ -422,8 +422,11 @@ TEST_F(RequestDeskTest, TakesUpWhatTheJournalHoldsAfterARestart) {
   submit("done");
   cancel("done");
   begun_.clear();
+  states_.clear();
   open(settings);  // as after a crash
   EXPECT_EQ(desk_->counters().restored, 2U);
+  EXPECT_THAT(states_, ::testing::Contains(::testing::Field(&RequestState::id, "b")))
+      << "though it waits";
   EXPECT_THAT(begun_, ElementsAre("a"));
   finish("a");
   finish("b");
