@@ -183,6 +183,7 @@ class Watch(ServiceTest):
         self.assertTrue(any(line.startswith("the-l") for line in lines), lines)
         watch.send_signal(signal.SIGTSTP)  # Ctrl-Z: the terminal is the shell's meanwhile
         read_until(r"\x1b\[\?25h\x1b\[\?1049l$")
+        os.waitpid(watch.pid, os.WUNTRACED)  # until it has stopped, as a shell does
         watch.send_signal(signal.SIGCONT)
         read_until(r"\x1b\[\?1049h\x1b\[\?25l.*\x1b\[H")
         watch.send_signal(signal.SIGINT)
