@@ -18,13 +18,14 @@ TOPICS = "common/transport/dds/fleet/topics.h"
 WIRE = "common/transport/dds/fleet/conversions.h"
 FLEET_LIMITS = "common/transport/fleet/fleet_limits.h"
 IO_LIMITS = "common/io/limits.h"
+ROS = "common/transport/dds/ros/ros_writers.cpp"
 # Enumerations: what their constants begin with in the IDL, and where they are in C++.
 ENUMERATIONS = {
     "reason": ("REASON_", "common/model/request_state.h", "Rejection"),
     "phase": ("PHASE_", "common/model/request_state.h", "RequestPhase"),
     "status": ("STATUS_", "common/model/plan.h", "PlanStatus"),
 }
-SOURCES = {PAGE, IDL, TOPICS, WIRE, FLEET_LIMITS, IO_LIMITS,
+SOURCES = {PAGE, IDL, TOPICS, WIRE, FLEET_LIMITS, IO_LIMITS, ROS,
            *(header for _, header, _ in ENUMERATIONS.values())}
 
 # Which constant bounds a sequence of the IDL.
@@ -76,7 +77,7 @@ def unit_of_time(words):
 
 
 def read_page(text):
-    out = {"types": {}, "topics": {}, "limits": [], **{name: {} for name in ENUMERATIONS}}
+    out = {"types": {}, "topics": {}, "ros": {}, "limits": [], **{name: {} for name in ENUMERATIONS}}
     for heading, head, rows in tables(text.splitlines()):
         if head[0] == "field":
             fields = [(unquoted(name), unquoted(kind), unit_of_time(meaning))
@@ -88,6 +89,8 @@ def read_page(text):
         elif head[0].startswith("topic "):
             prefix = unquoted(head[0].removeprefix("topic ")).removesuffix("...")
             out["topics"] = {prefix + unquoted(name): tuple(rest) for name, *rest in rows}
+        elif head[0] == "topic":
+            out["ros"] = {unquoted(name): unquoted(kind) for name, kind, _ in rows}
         elif head[0] == "at most":
             out["limits"] = [int(number) for number, *_ in rows]
     return out
@@ -129,6 +132,12 @@ def read_topics(text, wire):
         out[prefix + name] = (types[value], {"Request": "fleet manager", "News": "service"}[kind],
                               f"{keep}, {writer}", f"{keep}, {reader}; {durability}")
     return out
+
+
+def read_ros_topics(text):
+    """By name, of a robot below /accord: type, as ROS says it."""
+    return {f"/accord/ROBOT/{name}": f"{package}/msg/{kind}" for package, kind, name in re.findall(
+        r'writer_of<(\w+)::msg::dds_::(\w+)_PubSubType>\(\s*topic \+ "/(\w+)"\)', text)}
 
 
 def read_user_data(text):
@@ -185,6 +194,8 @@ def differences(texts):
         yield from difference(name, page[name], idl[name])
         yield from difference(name, idl[name], read_enumeration(texts[header], enumeration),
                               ("the IDL", header))
+    yield from difference("topic of ROS", page["ros"], read_ros_topics(texts[ROS]),
+                          ("the page", ROS))
     user_data = read_user_data(texts[TOPICS])
     if f"`{user_data}`" not in texts[PAGE]:
         yield f"user data: the page does not have `{user_data}`"

@@ -57,8 +57,8 @@ void RosWriters::publish(const Plan& plan, const Scene& scene) {
     const Robot& robot = scene.robots[i];
     const std::string topic = "rt/" + options_.name + "/" + tokens[i];
     if (robot.model->kind == RobotKind::kArm) {
-      using Support = trajectory_msgs::msg::dds_::JointTrajectory_PubSubType;
-      DataWriter* writer = writer_of<Support>(topic + "/joint_trajectory");
+      DataWriter* writer = writer_of<trajectory_msgs::msg::dds_::JointTrajectory_PubSubType>(
+          topic + "/joint_trajectory");
       if (writer == nullptr) continue;
       auto message = to_joint_trajectory(robots[i].trajectory, robot, options_.frame);
       writer->write(&message);
