@@ -18,15 +18,6 @@ std::size_t bytes_of(const PlanRequest& request) {
   return bytes;
 }
 
-// By its planner; 0 where it has not come that far.
-std::uint64_t counted(const Plan& plan, std::string_view statistic) {
-  constexpr double kMost = 1e15;
-  const auto found =
-      std::ranges::find(plan.statistics, statistic, &std::pair<std::string, double>::first);
-  if (found == plan.statistics.end()) return 0;
-  return static_cast<std::uint64_t>(std::clamp(found->second, 0.0, kMost));
-}
-
 }  // namespace
 
 void RequestDesk::on_request(FleetRequest request, Now now) {
@@ -211,13 +202,8 @@ void RequestDesk::on_recalled(const std::string& id, tl::expected<Plan, std::str
 RequestState RequestDesk::state_after(const std::string& id, const Plan& plan) const {
   RequestState state;
   state.id = id;
-  state.phase = RequestPhase::kFinished;
   state.robots = state.robots_planned = static_cast<std::uint32_t>(plan.robots.size());
-  state.conflicts_found = counted(plan, "conflicts_found");
-  state.conflicts_resolved = counted(plan, "conflicts_resolved");
-  state.rounds = counted(plan, "rounds");
-  state.per_cent = 100;
-  state.best_cost = plan.sum_of_costs;
+  note_end(plan, state);
   if (const auto kept = kept_.find(id); kept != kept_.end()) state.elapsed = kept->second.elapsed;
   return state;
 }

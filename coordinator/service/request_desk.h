@@ -171,6 +171,7 @@ class RequestDesk {
   void end(const std::string& id, Request& request, PlanStatus status, std::string message,
            Now now);
   void finish(const std::string& id, Request& request, Now now);
+  static void note_end(const Plan& plan, RequestState& state);
   void tell(const std::string& id, Request& request, Now now);
   void drop(Requests::iterator request);
   RequestState state_after(const std::string& id, const Plan& plan) const;

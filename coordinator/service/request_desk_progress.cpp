@@ -33,6 +33,15 @@ std::size_t waypoints_of(const Plan& plan) {
   return waypoints;
 }
 
+// By its planner; 0 where it has not come that far.
+std::uint64_t counted(const Plan& plan, std::string_view statistic) {
+  constexpr double kMost = 1e15;
+  const auto found =
+      std::ranges::find(plan.statistics, statistic, &std::pair<std::string, double>::first);
+  if (found == plan.statistics.end()) return 0;
+  return static_cast<std::uint64_t>(std::clamp(found->second, 0.0, kMost));
+}
+
 }  // namespace
 
 void RequestDesk::restore(const JournalEntry& entry,
@@ -183,10 +192,21 @@ void RequestDesk::finish(const std::string& id, Request& request, Now now) {
   to_finish_.push_back(id);
 }
 
+// Of what came of the last rounds nobody has told, where they were quick.
+void RequestDesk::note_end(const Plan& plan, RequestState& state) {
+  const auto raise = [&](std::uint64_t& count, std::string_view statistic) {
+    count = std::max(count, counted(plan, statistic));
+  };
+  state.phase = RequestPhase::kFinished;
+  raise(state.conflicts_found, "conflicts_found");
+  raise(state.conflicts_resolved, "conflicts_resolved");
+  raise(state.rounds, "rounds");
+  state.per_cent = 100;
+  state.best_cost = plan.sum_of_costs;
+}
+
 void RequestDesk::tell(const std::string& id, Request& request, Now now) {
-  request.state.phase = RequestPhase::kFinished;
-  request.state.per_cent = 100;
-  request.state.best_cost = request.plan.sum_of_costs;
+  note_end(request.plan, request.state);
   say_state(id, request, now);
   request.is_told = true;
   publish(FinishedPlan{id, request.plan, request.scene});

@@ -206,6 +206,19 @@ TEST_F(RequestDeskTest, SaysTheSameOfAFinishedRequestWheneverItIsAsked) {
   EXPECT_EQ(states_.back(), said);
 }
 
+// A quick request ends before anybody has told how its last rounds went.
+TEST_F(RequestDeskTest, SaysOfAFinishedRequestWhatItsPlanCounted) {
+  open();
+  submit("a");
+  Plan plan = solved_plan();
+  plan.statistics = {{"conflicts_found", 16}, {"conflicts_resolved", 9}, {"rounds", 3}};
+  desk_->on_progress("a", {Progress::Phase::kConflicts, 1, 12, 0, 0, 0, 12}, now_);
+  finish("a", plan);
+  EXPECT_EQ(states_.back().conflicts_found, 16U);
+  EXPECT_EQ(states_.back().conflicts_resolved, 9U);
+  EXPECT_EQ(states_.back().rounds, 3U);
+}
+
 TEST_F(RequestDeskTest, HasARequestInTheJournalBeforeItSaysSo) {
   open();
   disk_is_slow_ = true;
