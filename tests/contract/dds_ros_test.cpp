@@ -79,6 +79,7 @@ class DdsRos : public ::testing::Test {
       testing::SceneBuilder(-9, -9, 9, 9)
           .disk(0.5, {-5, 0}, {5, 1})
           .robot(testing::planar_arm_model({1, 0.8}), {0.8, 0}, {-0.8, 0.5})
+          .disk(0.5, {-5, 3}, {5, 4})
           .build();
 };
 
@@ -98,6 +99,16 @@ TEST_F(DdsRos, HasThePathsOfMobileRobotsAndTheTrajectoriesOfArms) {
   ASSERT_EQ(trajectory->points().size(), 2U);
   EXPECT_EQ(trajectory->points()[1].positions(), (std::vector<double>{-0.8, 0.5}));
   EXPECT_EQ(trajectory->points()[1].time_from_start().sec(), 4);
+}
+
+TEST_F(DdsRos, HasATopicForEachRobot) {
+  const auto port = service({"accord", "map"});
+  port->publish(plan());
+  for (const auto& [robot, y] : {std::pair{"r0", 1.0}, std::pair{"r2", 4.0}}) {
+    const auto path = path_on("rt/accord/" + std::string(robot) + "/path");
+    ASSERT_TRUE(path) << robot;
+    EXPECT_EQ(path->poses()[1].pose().position().y(), y);
+  }
 }
 
 TEST_F(DdsRos, HasTheLatestPathForWhoComesLater) {
