@@ -175,7 +175,8 @@ void RequestDesk::reply_again(const std::string& id, Request& request, Now now) 
   if (!request.is_accepted) return;  // it is still to come
   publish(RequestReply{id, true, Rejection::kNone, "", ""});
   say_state(id, request, now);
-  if (request.is_told) publish(FinishedPlan{id, request.plan, request.scene});
+  if (request.is_told)
+    publish(FinishedPlan{id, request.plan, request.scene, to_string(request.content)});
 }
 
 void RequestDesk::resend(const std::string& id, Now now) {
@@ -195,7 +196,9 @@ void RequestDesk::on_recalled(const std::string& id, tl::expected<Plan, std::str
     return;
   }
   publish(state_after(id, *plan));
-  publish(FinishedPlan{id, std::move(*plan), nullptr});
+  const auto kept = kept_.find(id);
+  publish(FinishedPlan{id, std::move(*plan), nullptr,
+                       kept == kept_.end() ? "" : to_string(kept->second.content)});
 }
 
 // What was said of a request when it was finished, as far as its plan knows.

@@ -209,7 +209,7 @@ void RequestDesk::tell(const std::string& id, Request& request, Now now) {
   note_end(request.plan, request.state);
   say_state(id, request, now);
   request.is_told = true;
-  publish(FinishedPlan{id, request.plan, request.scene});
+  publish(FinishedPlan{id, request.plan, request.scene, to_string(request.content)});
 }
 
 // Where the journal cannot be written, plans stay here, for whoever asks.

@@ -84,7 +84,7 @@ FinishedPlan plan_of(const std::string& id, std::size_t robots, std::size_t wayp
   constexpr std::size_t kDof = 3;
   constexpr std::size_t kCrowd = 30;
   RandomStream random(combine({robots, waypoints}));
-  FinishedPlan out{id, {}};
+  FinishedPlan out{id, {}, nullptr, std::string(64, 'a')};
   Plan& plan = out.plan;
   plan.scene = "fleet";
   plan.status = PlanStatus::kSolved;

@@ -45,7 +45,10 @@ std::optional<FleetNews> AssemblingClient::take() {
 
 std::optional<FleetNews> AssemblingClient::news_of(FleetPart part) {
   if (auto* outline = std::get_if<PlanOutline>(&part)) {
-    if (!wants_paths_) return FinishedPlan{std::move(outline->id), std::move(outline->plan)};
+    if (!wants_paths_) {
+      return FinishedPlan{std::move(outline->id), std::move(outline->plan), nullptr,
+                          std::move(outline->content)};
+    }
     return assembly_.add(std::move(*outline), now());
   }
   if (auto* piece = std::get_if<PathPiece>(&part)) {

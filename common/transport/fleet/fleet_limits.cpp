@@ -135,7 +135,8 @@ Fault outline_fault(const std::string& id, const Plan& plan) {
                    at_most(plan.robots.size(), limits::kRobots, "robots")});
 }
 Fault fault_of(const PlanOutline& outline) {
-  return outline_fault(outline.id, outline.plan);
+  return first_of({outline_fault(outline.id, outline.plan),
+                   name_fault(outline.content, "bytes of a content's hash")});
 }
 
 Fault segment_fault(const std::string& solver, std::size_t robots) {
@@ -177,8 +178,9 @@ Fault path_fault(const RobotPlan& robot, const std::unordered_set<std::string_vi
 }
 
 Fault fault_of(const FinishedPlan& finished) {
-  const auto& [id, plan, scene] = finished;
+  const auto& [id, plan, scene, content] = finished;
   if (auto fault = outline_fault(id, plan)) return fault;
+  if (auto fault = name_fault(content, "bytes of a content's hash")) return fault;
   std::unordered_set<std::string_view> names;
   for (const RobotPlan& robot : plan.robots) names.insert(robot.name);
   std::size_t bytes = 0;

@@ -51,6 +51,8 @@ struct FinishedPlan {
   Plan plan;
   // What it was planned for; null where that is not at hand any more. Does not travel.
   std::shared_ptr<const Scene> scene = {};
+  // The hash of what was asked, in hexadecimal digits: of requests that ask for the same, the same.
+  std::string content = {};
 };
 
 struct WorkerStatus {

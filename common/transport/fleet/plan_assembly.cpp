@@ -120,7 +120,8 @@ std::optional<FinishedPlan> PlanAssembly::finish_if_complete(Plans::iterator pla
 }
 
 std::optional<FinishedPlan> PlanAssembly::joined(Open open) {
-  FinishedPlan out{std::move(open.outline->id), std::move(open.outline->plan)};
+  FinishedPlan out{std::move(open.outline->id), std::move(open.outline->plan), nullptr,
+                   std::move(open.outline->content)};
   std::vector<RobotPlan>& robots = out.plan.robots;
   if (open.paths.size() != robots.size()) return std::nullopt;
   for (auto& [place, path] : open.paths) {

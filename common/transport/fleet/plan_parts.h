@@ -17,6 +17,7 @@ struct PlanOutline {
   std::string id;
   std::uint32_t version = 1;  // of this request's plan; a higher one replaces it
   Plan plan;                  // its robots have names only
+  std::string content = {};   // FinishedPlan's
 };
 
 // As PlanSegment, with robots by their places in the outline: names of a crowd of hundreds, in the

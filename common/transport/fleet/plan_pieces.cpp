@@ -70,7 +70,8 @@ PlanOutline PlanPieces::outline() const {
                        sum_of_costs,
                        sum_of_costs_timesteps,
                        {},
-                       statistics}};
+                       statistics},
+                  finished_.content};
   for (const RobotPlan& robot : robots) out.plan.robots.push_back({robot.name, {}, {}});
   return out;
 }

@@ -36,6 +36,7 @@ class Assembly : public testing::Test {
     const auto given = assembly_.add(std::move(part), now_);
     if (given) {
       EXPECT_EQ(given->id, plan_.id);
+      EXPECT_EQ(given->content, plan_.content);
       EXPECT_EQ(bits_of(given->plan), bits_of(plan_.plan));
       EXPECT_EQ(to_json(given->plan), to_json(plan_.plan));
     }

@@ -185,10 +185,11 @@ ServiceStatus from_wire(fleet::ServiceStatus& from) {
 // ---- Plans ----
 
 void to_wire(const PlanOutline& outline, fleet::Plan& out) {
-  const auto& [id, version, plan] = outline;
+  const auto& [id, version, plan, content] = outline;
   const auto& [scene, status, message, method, seed, timestep, planning_time, makespan,
                sum_of_costs, sum_of_costs_timesteps, robots, statistics] = plan;
   out.request_id(id);
+  out.content(content);
   out.version(version);
   out.scene(scene);
   out.status(static_cast<std::uint8_t>(status));
@@ -209,7 +210,7 @@ void to_wire(const PlanOutline& outline, fleet::Plan& out) {
 }
 
 PlanOutline from_wire(fleet::Plan& from) {
-  PlanOutline out{std::move(from.request_id()), from.version(), {}};
+  PlanOutline out{std::move(from.request_id()), from.version(), {}, std::move(from.content())};
   out.plan.scene = std::move(from.scene());
   out.plan.status = static_cast<PlanStatus>(from.status());
   out.plan.message = std::move(from.message());

@@ -72,6 +72,7 @@ bool counts_are_sound(const PlanRequest*, Cdr& in) {
 
 bool counts_are_sound(const Plan*, Cdr& in) {
   skip_string(in);          // request_id
+  skip_string(in);          // content
   skip<std::uint32_t>(in);  // version
   skip_string(in);          // scene
   skip<std::uint8_t>(in);   // status

@@ -206,6 +206,16 @@ TEST_F(RequestDeskTest, SaysTheSameOfAFinishedRequestWheneverItIsAsked) {
   EXPECT_EQ(states_.back(), said);
 }
 
+TEST_F(RequestDeskTest, SaysWithAPlanWhatItWasAskedFor) {
+  open();
+  submit("a");
+  finish("a");
+  const std::string content = plans_.back().content;
+  EXPECT_EQ(content.size(), 64U);
+  ask_again("a");
+  EXPECT_EQ(plans_.back().content, content) << "from the journal";
+}
+
 // A quick request ends before anybody has told how its last rounds went.
 TEST_F(RequestDeskTest, SaysOfAFinishedRequestWhatItsPlanCounted) {
   open();
