@@ -126,6 +126,10 @@ DomainParticipantQos participant_qos(const DdsOptions& options, const std::strin
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = duration(options.lease);
   discovery.leaseDuration_announcementperiod = duration(options.announcement);
+  // What is written goes to each reader's own address. Else Fast DDS sends it to all hosts of the
+  // domain where two readers listen for multicast, as those of Cyclone DDS do. Discovery does not
+  // look at this.
+  qos.allocation().locators.max_multicast_locators = 0;
   add_transports(options, qos);
   add_addresses(options, qos);
   return qos;

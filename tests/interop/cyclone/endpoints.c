@@ -4,8 +4,11 @@
 
 #include "fleet.h"
 
-// Deep enough for the pieces of a large plan that come while others are looked at.
-enum { kReaderDepth = 4096 };
+enum {
+  // Deep enough for the pieces of a large plan that come while others are looked at.
+  kReaderDepth = 4096,
+  kRobotDepth = 256,
+};
 
 // How DDS entities of one participant are made, until something is refused.
 struct maker {
@@ -24,9 +27,14 @@ static dds_entity_t made(struct maker* maker, const char* what, dds_entity_t ent
 
 static dds_entity_t topic(struct maker* maker, const char* name,
                           const dds_topic_descriptor_t* type) {
+  return made(maker, name, dds_create_topic(maker->participant, type, name, NULL, NULL));
+}
+
+static dds_entity_t fleet_topic(struct maker* maker, const char* name,
+                                const dds_topic_descriptor_t* type) {
   char full[64];
   snprintf(full, sizeof full, "accord/fleet/v1/%s", name);
-  return made(maker, full, dds_create_topic(maker->participant, type, full, NULL, NULL));
+  return topic(maker, full, type);
 }
 
 // Nothing is thrown away: a write waits where the service has not taken `depth` before it.
@@ -36,41 +44,55 @@ static dds_entity_t writer(struct maker* maker, const char* name,
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
   dds_qset_history(qos, DDS_HISTORY_KEEP_ALL, 0);
   dds_qset_resource_limits(qos, depth, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
-  const dds_entity_t out =
-      made(maker, name, dds_create_writer(maker->publisher, topic(maker, name, type), qos, NULL));
+  const dds_entity_t out = made(
+      maker, name, dds_create_writer(maker->publisher, fleet_topic(maker, name, type), qos, NULL));
   dds_delete_qos(qos);
   return out;
 }
 
-// `durability`: transient-local gets what the service has said before. `waitset`: what it triggers.
-static dds_entity_t reader(struct maker* maker, const char* name,
-                           const dds_topic_descriptor_t* type, dds_durability_kind_t durability,
-                           dds_entity_t waitset) {
+// `durability`: transient-local gets what was said before.
+static dds_entity_t reader(struct maker* maker, dds_entity_t topic,
+                           dds_durability_kind_t durability, int32_t depth) {
   dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, 0);
   dds_qset_durability(qos, durability);
-  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, kReaderDepth);
+  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, depth);
   const dds_entity_t out =
-      made(maker, name, dds_create_reader(maker->subscriber, topic(maker, name, type), qos, NULL));
+      made(maker, "a reader", dds_create_reader(maker->subscriber, topic, qos, NULL));
   dds_delete_qos(qos);
-  if (maker->ok) {
-    dds_set_status_mask(out, DDS_DATA_AVAILABLE_STATUS);
-    const dds_return_t attached = dds_waitset_attach(waitset, out, 0);
-    made(maker, "to wait for news", attached);
-  }
   return out;
 }
 
-bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
+// What of a reader triggers `waitset`.
+static void attach(struct maker* maker, dds_entity_t waitset, dds_entity_t reader, uint32_t mask) {
+  if (!maker->ok) return;
+  dds_set_status_mask(reader, mask);
+  made(maker, "to wait for news", dds_waitset_attach(waitset, reader, 0));
+}
+
+static dds_entity_t fleet_reader(struct maker* maker, const char* name,
+                                 const dds_topic_descriptor_t* type,
+                                 dds_durability_kind_t durability, dds_entity_t waitset) {
+  const dds_entity_t out = reader(maker, fleet_topic(maker, name, type), durability, kReaderDepth);
+  attach(maker, waitset, out, DDS_DATA_AVAILABLE_STATUS);
+  return out;
+}
+
+// NULL: in no partition.
+static struct maker join(uint32_t domain, const char* partition) {
   struct maker maker = {.ok = true};
   maker.participant = made(&maker, "to join", dds_create_participant(domain, NULL, NULL));
   dds_qos_t* qos = dds_create_qos();
-  dds_qset_partition1(qos, cluster);
+  if (partition != NULL) dds_qset_partition1(qos, partition);
   maker.publisher = made(&maker, "a publisher", dds_create_publisher(maker.participant, qos, NULL));
   maker.subscriber =
       made(&maker, "a subscriber", dds_create_subscriber(maker.participant, qos, NULL));
   dds_delete_qos(qos);
+  return maker;
+}
 
+bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
+  struct maker maker = join(domain, cluster);
   out->participant = maker.participant;
   out->news = made(&maker, "a waitset", dds_create_waitset(maker.participant));
   out->plan_requests = writer(&maker, "plan_requests", &accord_fleet_PlanRequest_desc, 8);
@@ -78,14 +100,44 @@ bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out) {
   out->resends = writer(&maker, "resends", &accord_fleet_Resend_desc, 64);
   const dds_durability_kind_t now = DDS_DURABILITY_VOLATILE,
                               before = DDS_DURABILITY_TRANSIENT_LOCAL;
-  out->replies = reader(&maker, "replies", &accord_fleet_RequestReply_desc, now, out->news);
-  out->statuses = reader(&maker, "statuses", &accord_fleet_PlanStatus_desc, before, out->news);
-  out->plans = reader(&maker, "plans", &accord_fleet_Plan_desc, now, out->news);
-  out->robot_plans = reader(&maker, "robot_plans", &accord_fleet_RobotPlan_desc, now, out->news);
-  out->workers = reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before, out->news);
+  const dds_entity_t news = out->news;
+  out->replies = fleet_reader(&maker, "replies", &accord_fleet_RequestReply_desc, now, news);
+  out->statuses = fleet_reader(&maker, "statuses", &accord_fleet_PlanStatus_desc, before, news);
+  out->plans = fleet_reader(&maker, "plans", &accord_fleet_Plan_desc, now, news);
+  out->robot_plans = fleet_reader(&maker, "robot_plans", &accord_fleet_RobotPlan_desc, now, news);
+  out->workers = fleet_reader(&maker, "workers", &accord_fleet_WorkerStatus_desc, before, news);
   // Last: the service finds readers in this order, so whoever hears on this one is heard on all.
-  out->service = reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before, out->news);
+  out->service = fleet_reader(&maker, "service", &accord_fleet_ServiceStatus_desc, before, news);
   return maker.ok;
+}
+
+static bool listen_on(struct maker* maker, dds_entity_t topic, int32_t depth,
+                      struct listener* out) {
+  out->participant = maker->participant;
+  out->news = made(maker, "a waitset", dds_create_waitset(maker->participant));
+  out->reader = reader(maker, topic, DDS_DURABILITY_TRANSIENT_LOCAL, depth);
+  attach(maker, out->news, out->reader,
+         DDS_DATA_AVAILABLE_STATUS | DDS_SUBSCRIPTION_MATCHED_STATUS);
+  return maker->ok;
+}
+
+bool join_as_robot(uint32_t domain, const char* cluster, const char* robot, struct listener* out) {
+  char partition[512];
+  const int size = snprintf(partition, sizeof partition, "%s/robot/%s", cluster, robot);
+  if (size < 0 || (size_t)size >= sizeof partition) {
+    fputs("the names of cluster and robot are too long\n", stderr);
+    out->participant = DDS_RETCODE_BAD_PARAMETER;
+    return false;
+  }
+  struct maker maker = join(domain, partition);
+  return listen_on(&maker, fleet_topic(&maker, "robot_plans", &accord_fleet_RobotPlan_desc),
+                   kRobotDepth, out);
+}
+
+bool join_ros(uint32_t domain, const char* topic_name, const dds_topic_descriptor_t* type,
+              struct listener* out) {
+  struct maker maker = join(domain, NULL);
+  return listen_on(&maker, topic(&maker, topic_name, type), 1, out);
 }
 
 bool take(dds_entity_t reader, void* sample) {

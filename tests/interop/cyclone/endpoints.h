@@ -27,5 +27,18 @@ struct endpoints {
 // dds_delete(participant).
 bool join_fleet(uint32_t domain, const char* cluster, struct endpoints* out);
 
+// One reader, of what was said last before it came, and of all since.
+struct listener {
+  dds_entity_t participant;
+  dds_entity_t reader;
+  dds_entity_t news;  // triggered while it has something to take, and when writers come or go
+};
+
+// Joins the topic of one robot's own path; or one of ROS 2, such as "rt/accord/agv1/path".
+// Otherwise as join_fleet().
+bool join_as_robot(uint32_t domain, const char* cluster, const char* robot, struct listener* out);
+bool join_ros(uint32_t domain, const char* topic, const dds_topic_descriptor_t* type,
+              struct listener* out);
+
 // Takes the next sample into one that was allocated by its type's __alloc(). False: there is none.
 bool take(dds_entity_t reader, void* sample);

@@ -6,18 +6,26 @@
 //   cyclone_fleet_client DOMAIN CLUSTER resend ID                  has what others asked for said
 //                                                                  again
 //   cyclone_fleet_client DOMAIN CLUSTER watch                      until service and worker are
-//   there
+//                                                                  there
+//   cyclone_fleet_client DOMAIN CLUSTER follow ROBOT               prints that robot's own path, of
+//                                                                  which alone it is told
+//   cyclone_fleet_client DOMAIN CLUSTER ros ROBOT KIND NAME        prints ROS 2's message on
+//                                                                  /NAME/ROBOT/KIND: path or
+//                                                                  joint_trajectory
 //
 // FILEs are those that the scene names, by these names; so it runs in the scene's folder. What it
 // hears on the way goes to stderr, a line each. Exits with 0 where what it waits for has come, a
 // plan of whatever status, and all is as docs/topics.md says; with 1 where not; with 2 where it was
 // called in another way.
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "own_path.h"
 #include "presence.h"
 #include "request.h"
+#include "ros_topics.h"
 
 enum { kDomain = 1, kCluster, kCommand, kId };
 
@@ -32,7 +40,7 @@ static bool is_over(const struct request* request) {
          is_complete(&request->plan);
 }
 
-static void follow(const struct endpoints* fleet, struct request* request) {
+static void pursue(const struct endpoints* fleet, struct request* request) {
   struct presence presence = {false, false};
   const dds_time_t end = dds_time() + kPatience;
   dds_duration_t again = kAgain;
@@ -106,41 +114,66 @@ static void free_submission(accord_fleet_PlanRequest* submission) {
   free(submission->scene_text);
 }
 
-static bool run(const struct endpoints* fleet, const char* command, char** words, int count) {
-  if (strcmp(command, "watch") == 0) return watch(fleet, dds_time() + kPatience);
+static bool pursue_request(const struct endpoints* fleet, const char* command, char** words,
+                           int count) {
   struct request request = {.submission.request_id = words[0],
                             .is_submitted_here = strcmp(command, "resend") != 0,
                             .is_to_be_cancelled = strcmp(command, "cancel") == 0};
   if (request.is_submitted_here) {
     fill_submission(words[0], words + 1, count - 1, &request.submission);
   }
-  follow(fleet, &request);
+  pursue(fleet, &request);
   const bool ok = report(&request);
   free_plan(&request.plan);
   if (request.is_submitted_here) free_submission(&request.submission);
   return ok;
 }
 
-// How many words follow a command, at least; -1: there is no such command.
-static int words_after(const char* command) {
-  if (strcmp(command, "plan") == 0 || strcmp(command, "cancel") == 0) return 2;
-  if (strcmp(command, "resend") == 0) return 1;
-  return strcmp(command, "watch") == 0 ? 0 : -1;
+// How many words follow a command, at least and at most; false: there is no such command.
+static bool words_after(const char* command, int* least, int* most) {
+  static const struct {
+    const char* command;
+    int least, most;
+  } kCommands[] = {{"plan", 2, INT_MAX}, {"cancel", 2, INT_MAX}, {"resend", 1, 1},
+                   {"watch", 0, 0},      {"follow", 1, 1},       {"ros", 3, 3}};
+  for (size_t i = 0; i < sizeof kCommands / sizeof *kCommands; ++i) {
+    if (strcmp(command, kCommands[i].command) != 0) continue;
+    *least = kCommands[i].least;
+    *most = kCommands[i].most;
+    return true;
+  }
+  return false;
+}
+
+static bool run(uint32_t domain, const char* cluster, const char* command, char** words,
+                int count) {
+  const dds_time_t end = dds_time() + kPatience;
+  if (strcmp(command, "follow") == 0) return follow_robot(domain, cluster, words[0], end);
+  if (strcmp(command, "ros") == 0) return print_ros(domain, words[2], words[0], words[1], end);
+  struct endpoints fleet;
+  bool ok = join_fleet(domain, cluster, &fleet);
+  if (ok) {
+    ok = strcmp(command, "watch") == 0 ? watch(&fleet, end)
+                                       : pursue_request(&fleet, command, words, count);
+  }
+  dds_delete(fleet.participant);
+  return ok;
 }
 
 int main(int argc, char** argv) {
-  const int words = argc > kCommand ? words_after(argv[kCommand]) : -1;
+  int least = 0, most = 0;
   const int given = argc - kId;
-  if (words < 0 || given < words || (words < 2 && given > words)) {
+  if (argc <= kCommand || !words_after(argv[kCommand], &least, &most) || given < least ||
+      given > most) {
     fputs(
-        "usage: cyclone_fleet_client DOMAIN CLUSTER plan|cancel|resend|watch [ID [SCENE "
-        "[FILE...]]]\n",
+        "usage: cyclone_fleet_client DOMAIN CLUSTER plan|cancel ID SCENE [FILE...]\n"
+        "       cyclone_fleet_client DOMAIN CLUSTER resend ID\n"
+        "       cyclone_fleet_client DOMAIN CLUSTER watch\n"
+        "       cyclone_fleet_client DOMAIN CLUSTER follow ROBOT\n"
+        "       cyclone_fleet_client DOMAIN CLUSTER ros ROBOT path|joint_trajectory NAME\n",
         stderr);
     return 2;
   }
-  struct endpoints fleet;
-  const bool ok = join_fleet((uint32_t)strtoul(argv[kDomain], NULL, 10), argv[kCluster], &fleet) &&
-                  run(&fleet, argv[kCommand], argv + kId, given);
-  dds_delete(fleet.participant);
-  return ok ? 0 : 1;
+  const uint32_t domain = (uint32_t)strtoul(argv[kDomain], NULL, 10);
+  return run(domain, argv[kCluster], argv[kCommand], argv + kId, given) ? 0 : 1;
 }

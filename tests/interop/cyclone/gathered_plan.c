@@ -79,14 +79,17 @@ bool gather_piece(struct gathered_plan* plan, accord_fleet_RobotPlan* piece) {
   return fits;
 }
 
+bool is_whole(const struct gathered_path* path) {
+  for (uint32_t p = 0; p < path->piece_count; ++p) {
+    if (path->pieces[p] == NULL) return false;
+  }
+  return path->piece_count > 0;
+}
+
 bool is_complete(const struct gathered_plan* plan) {
   if (plan->outcome == NULL || plan->path_count < plan->outcome->robots._length) return false;
   for (uint32_t r = 0; r < plan->outcome->robots._length; ++r) {
-    const struct gathered_path* path = &plan->paths[r];
-    if (path->piece_count == 0) return false;
-    for (uint32_t p = 0; p < path->piece_count; ++p) {
-      if (path->pieces[p] == NULL) return false;
-    }
+    if (!is_whole(&plan->paths[r])) return false;
   }
   return true;
 }

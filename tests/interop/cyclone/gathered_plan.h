@@ -26,6 +26,9 @@ struct gathered_plan {
 void gather_outcome(struct gathered_plan* plan, accord_fleet_Plan* outcome);
 bool gather_piece(struct gathered_plan* plan, accord_fleet_RobotPlan* piece);
 
+// Whether all pieces of a path are there.
+bool is_whole(const struct gathered_path* path);
+
 // Whether the outcome and, of every robot that it names, all pieces are there.
 bool is_complete(const struct gathered_plan* plan);
 
@@ -33,8 +36,14 @@ bool is_complete(const struct gathered_plan* plan);
 // finite, and its segments lead from the first to the last one. A line on stderr where not.
 // Requires: is_complete().
 bool is_sound(const struct gathered_plan* plan);
+// The same of one path, of the robot of this name and place among so many. Requires: is_whole().
+bool is_sound_path(const struct gathered_path* path, const char* robot, uint32_t robot_index,
+                   uint32_t robot_count);
 
 // As a plan file (docs/formats.md). Requires: is_complete().
 void print_plan(const struct gathered_plan* plan, FILE* out);
+// A path as a plan file has it, but for the robots of its segments: places, not names.
+// Requires: is_whole().
+void print_path(const struct gathered_path* path, FILE* out);
 
 void free_plan(struct gathered_plan* plan);

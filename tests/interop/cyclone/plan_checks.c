@@ -53,17 +53,24 @@ static bool follow_segments(struct follower* at, const accord_fleet_RobotPlan* p
   return true;
 }
 
+bool is_sound_path(const struct gathered_path* path, const char* robot, uint32_t robot_index,
+                   uint32_t robot_count) {
+  struct follower at = {robot, robot_index, robot_count, false, 0, 0};
+  for (uint32_t p = 0; p < path->piece_count; ++p) {
+    const accord_fleet_RobotPlan* piece = path->pieces[p];
+    if (strcmp(piece->robot, robot) != 0) return wrong(robot, "has another robot's piece");
+    if (!follow_waypoints(&at, piece) || !follow_segments(&at, piece)) return false;
+  }
+  if (!at.has_begun) return wrong(robot, "has no waypoints");
+  if (at.segment != at.time) return wrong(robot, "ends before or after its segments");
+  return true;
+}
+
 bool is_sound(const struct gathered_plan* plan) {
   const accord_fleet_Plan* outcome = plan->outcome;
-  for (uint32_t r = 0; r < outcome->robots._length; ++r) {
-    struct follower at = {outcome->robots._buffer[r], r, outcome->robots._length, false, 0, 0};
-    for (uint32_t p = 0; p < plan->paths[r].piece_count; ++p) {
-      const accord_fleet_RobotPlan* piece = plan->paths[r].pieces[p];
-      if (strcmp(piece->robot, at.robot) != 0) return wrong(at.robot, "has another robot's piece");
-      if (!follow_waypoints(&at, piece) || !follow_segments(&at, piece)) return false;
-    }
-    if (!at.has_begun) return wrong(at.robot, "has no waypoints");
-    if (at.segment != at.time) return wrong(at.robot, "ends before or after its segments");
+  const uint32_t count = outcome->robots._length;
+  for (uint32_t r = 0; r < count; ++r) {
+    if (!is_sound_path(&plan->paths[r], outcome->robots._buffer[r], r, count)) return false;
   }
   return true;
 }

@@ -1,38 +1,23 @@
 #include <stdio.h>
 
 #include "gathered_plan.h"
-
-static void print_text(const char* text, FILE* out) {
-  fputc('"', out);
-  for (; *text != '\0'; ++text) {
-    const unsigned char c = (unsigned char)*text;
-    if (c < 0x20) {
-      fprintf(out, "\\u%04x", c);
-    } else {
-      fprintf(out, c == '"' || c == '\\' ? "\\%c" : "%c", c);
-    }
-  }
-  fputc('"', out);
-}
+#include "json.h"
 
 static void print_waypoints(const struct gathered_path* path, FILE* out) {
   const char* between = "";
   for (uint32_t p = 0; p < path->piece_count; ++p) {
     const accord_fleet_RobotPlan* piece = path->pieces[p];
     for (uint32_t w = 0; w < piece->times._length; ++w) {
-      fprintf(out, "%s\n      {\"t\": %.17g, \"q\": [", between, piece->times._buffer[w]);
-      for (uint32_t i = 0; i < piece->dof; ++i) {
-        const double number = piece->configurations._buffer[w * piece->dof + i];
-        fprintf(out, "%s%.17g", i == 0 ? "" : ", ", number);
-      }
-      fputs("]}", out);
+      fprintf(out, "%s\n      {\"t\": %.17g, \"q\": ", between, piece->times._buffer[w]);
+      print_numbers(&piece->configurations._buffer[w * piece->dof], piece->dof, out);
+      fputs("}", out);
       between = ",";
     }
   }
 }
 
-static void print_segments(const struct gathered_plan* plan, const struct gathered_path* path,
-                           FILE* out) {
+// Robots by the names of their places, or NULL: by these.
+static void print_segments(const struct gathered_path* path, char* const* names, FILE* out) {
   const char* between = "";
   for (uint32_t p = 0; p < path->piece_count; ++p) {
     const accord_fleet_RobotPlan* piece = path->pieces[p];
@@ -42,7 +27,11 @@ static void print_segments(const struct gathered_plan* plan, const struct gather
               segment->from, segment->to);
       for (uint32_t i = 0; i < segment->robots._length; ++i) {
         if (i > 0) fputs(", ", out);
-        print_text(plan->outcome->robots._buffer[segment->robots._buffer[i]], out);
+        if (names != NULL) {
+          print_text(names[segment->robots._buffer[i]], out);
+        } else {
+          fprintf(out, "%u", segment->robots._buffer[i]);
+        }
       }
       fputs("], \"solver\": ", out);
       print_text(segment->solver, out);
@@ -70,18 +59,28 @@ static void print_head(const accord_fleet_Plan* outcome, FILE* out) {
   fprintf(out, ",\n  \"sum_of_costs_timesteps\": %lld", (long long)outcome->sum_of_costs_timesteps);
 }
 
+static void print_named(const struct gathered_path* path, const char* robot, char* const* names,
+                        FILE* out) {
+  fputs("{\"name\": ", out);
+  print_text(robot, out);
+  fputs(",\n     \"waypoints\": [", out);
+  print_waypoints(path, out);
+  fputs("],\n     \"segments\": [", out);
+  print_segments(path, names, out);
+  fputs("]}", out);
+}
+
+void print_path(const struct gathered_path* path, FILE* out) {
+  print_named(path, path->pieces[0]->robot, NULL, out);
+}
+
 void print_plan(const struct gathered_plan* plan, FILE* out) {
   const accord_fleet_Plan* outcome = plan->outcome;
   print_head(outcome, out);
   fputs(",\n  \"robots\": [", out);
   for (uint32_t r = 0; r < outcome->robots._length; ++r) {
-    fputs(r == 0 ? "\n    {\"name\": " : ",\n    {\"name\": ", out);
-    print_text(outcome->robots._buffer[r], out);
-    fputs(",\n     \"waypoints\": [", out);
-    print_waypoints(&plan->paths[r], out);
-    fputs("],\n     \"segments\": [", out);
-    print_segments(plan, &plan->paths[r], out);
-    fputs("]}", out);
+    fputs(r == 0 ? "\n    " : ",\n    ", out);
+    print_named(&plan->paths[r], outcome->robots._buffer[r], outcome->robots._buffer, out);
   }
   fputs("],\n  \"statistics\": {", out);
   for (uint32_t s = 0; s < outcome->statistics._length; ++s) {

@@ -91,8 +91,8 @@ class Service:
         self._flags = flags
         self._processes = []
 
-    def coordinator(self, host, journal):
-        return self._run(host, COORDINATOR, "--journal", journal)
+    def coordinator(self, host, journal, *more):
+        return self._run(host, COORDINATOR, "--journal", journal, *more)
 
     def worker(self, host):
         return self._run(host, WORKER, "--threads", "1")

@@ -13,6 +13,7 @@ begins.
 
 import atexit
 import contextlib
+import json
 import os
 import re
 import shutil
@@ -83,6 +84,11 @@ class Network:
         return sum(int(count) for table in tables
                    for count in re.findall(r"^\s*(\d+)\s+\d+\s+DROP", table, re.MULTILINE))
 
+    def received(self, name):
+        """How many bytes have arrived at a host, headers of frames included."""
+        (link,) = json.loads(self._ip(name, "-json", "-statistics", "link", "show", "eth0"))
+        return link["stats64"]["rx"]["bytes"]
+
     def limit(self, rate):
         """From now on every host sends, and is sent, at most so much, as in 10mbit."""
         for name in self.addresses:
@@ -109,7 +115,7 @@ class Network:
         return f"{PREFIX}{os.getpid()}-{name}"
 
     def _ip(self, name, *arguments):
-        _run("ip", "-netns", self._namespace(name), *arguments)
+        return _run("ip", "-netns", self._namespace(name), *arguments)
 
     def _run(self, name, *command):
         return _run("ip", "netns", "exec", self._namespace(name), *command)
