@@ -10,6 +10,7 @@
 #include "common/model/roadmap_places.h"
 #include "common/planning/resolution_check.h"
 #include "coordinator/dispatch/roadmap_partners.h"
+#include "coordinator/dispatch/worker_scene.h"
 
 namespace accord {
 namespace {
@@ -23,7 +24,7 @@ constexpr double kLeastWeight = 1e-3;
 RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world)
     : port_(std::move(port)),
       world_(world),
-      scene_(std::make_shared<const Bytes>(encode_scene(world.scene()))),
+      scene_(std::make_shared<const Bytes>(encode_scene(scene_for_workers(world.scene())))),
       places_(roadmap_places(world.scene())) {
   RequestWork work;
   work.partners = roadmap_partners(world, places_);
