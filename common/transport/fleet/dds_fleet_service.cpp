@@ -5,6 +5,7 @@
 
 #include "common/transport/dds/fleet/participant.h"
 #include "common/transport/dds/fleet/plan_sender.h"
+#include "common/transport/dds/fleet/waking_listener.h"
 #include "common/transport/fleet/checked_service.h"
 #include "common/transport/fleet/dds_fleet.h"
 
@@ -14,15 +15,6 @@ namespace {
 using namespace dds;
 using eprosima::fastdds::dds::DataReader;
 using eprosima::fastdds::dds::DataWriter;
-
-class WakingListener final : public eprosima::fastdds::dds::DataReaderListener {
- public:
-  explicit WakingListener(std::function<void()> wake) : wake_(std::move(wake)) {}
-  void on_data_available(DataReader*) override { wake_(); }
-
- private:
-  std::function<void()> wake_;
-};
 
 // Hears of readers that come and go. Does nothing else: to create or delete anything in a callback
 // is a deadlock.

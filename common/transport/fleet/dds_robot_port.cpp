@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "common/transport/dds/fleet/participant.h"
+#include "common/transport/dds/fleet/waking_listener.h"
 #include "common/transport/dds/signal.h"
 #include "common/transport/fleet/fleet_limits.h"
 #include "common/transport/fleet/robot_partition.h"
@@ -12,18 +13,9 @@ namespace {
 using namespace dds;
 using eprosima::fastdds::dds::DataReader;
 
-class ArrivalListener final : public eprosima::fastdds::dds::DataReaderListener {
- public:
-  explicit ArrivalListener(Signal& signal) : signal_(signal) {}
-  void on_data_available(DataReader*) override { signal_.raise(); }
-
- private:
-  Signal& signal_;
-};
-
 class DdsRobotPort final : public RobotPort {
  public:
-  explicit DdsRobotPort(const std::string& robot) : listener_(signal_), assembly_(robot) {}
+  explicit DdsRobotPort(const std::string& robot) : assembly_(robot) {}
 
   std::optional<std::string> open(const DdsOptions& options, const std::string& robot) {
     auto participant = FleetParticipant::create(options, robot_partition(options.cluster, robot),
@@ -45,7 +37,7 @@ class DdsRobotPort final : public RobotPort {
   void wait(std::chrono::nanoseconds timeout) override { signal_.wait(timeout); }
 
   Signal signal_;
-  ArrivalListener listener_;
+  WakingListener listener_{[this] { signal_.raise(); }};
   PathAssembly assembly_;
   std::uint64_t refused_ = 0;
   DataReader* paths_ = nullptr;

@@ -12,16 +12,14 @@ told. Takes root; where it cannot be had, all is skipped.
 
 import functools
 import json
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
+import on_hosts
 import service
-import topology
 
 HOSTS = ("manager", "hub", "first", "second", "directory")
 SCENES = ("mixed-floor", "high-manipulator-4", "low-mobile-32", "random-crossing-0300")
@@ -30,25 +28,19 @@ PATIENCE = 60  # s; finding each other takes some on a bad network
 # For bad links: a datagram of 64 KiB is 45 frames, which never all arrive, or do not fit into a slow
 # link's queue.
 ONE_FRAME = ["--dds-datagram-bytes", "1452"]
-WHY_NOT = topology.why_not()
 
 planned_here = functools.cache(service.planned_here)
 
 
-@unittest.skipIf(WHY_NOT, WHY_NOT)
-class HostsTest(unittest.TestCase):
+class HostsTest(on_hosts.OnHosts):
+    HOSTS = HOSTS
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.network = topology.Network(HOSTS)
-        self.addCleanup(self.network.remove)
-        self.service = service.Service(self.network.start, self.folder, self.flags)
-        self.addCleanup(self.service.stop)
+        super().setUp()
         self.settings = []
 
     def flags(self, host):
-        return ["--transport", "udp", "--interface", self.network.addresses[host], *self.settings]
+        return [*super().flags(host), *self.settings]
 
     def start(self):
         """Coordinator and workers, once they know each other."""

@@ -15,13 +15,11 @@ binaries, build/... unless told. Takes root; where it cannot be had, all is skip
 import functools
 import json
 import os
-import pathlib
 import sys
-import tempfile
 import unittest
 
+import on_hosts
 import service
-import topology
 
 CLIENT = os.environ.pop("CYCLONE_FLEET_CLIENT",
                         str(service.ROOT / "build/tests/cyclone_fleet_client"))
@@ -29,22 +27,10 @@ HOSTS = ("manager", "other", "hub", "early", "late", "idle")
 SCENE = "fleet-1000"
 SHARE = 0.1  # of what the whole plan takes, at most; a busy machine's discovery goes on for longer
 DONE = 0
-WHY_NOT = topology.why_not()
 
 
-@unittest.skipIf(WHY_NOT, WHY_NOT)
-class OneRobot(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.network = topology.Network(HOSTS)
-        self.addCleanup(self.network.remove)
-        self.service = service.Service(self.network.start, self.folder, self.flags)
-        self.addCleanup(self.service.stop)
-
-    def flags(self, host):
-        return ["--transport", "udp", "--interface", self.network.addresses[host]]
+class OneRobot(on_hosts.OnHosts):
+    HOSTS = HOSTS
 
     def client(self, host, *arguments):
         process = service.Process(functools.partial(self.network.start, host), self.folder,
