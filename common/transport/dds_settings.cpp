@@ -39,9 +39,12 @@ Notation<DdsAddress> address_with_port() {
           true};
 }
 
+void add_domain_setting(Settings& settings, std::uint32_t& domain) {
+  settings.add("dds.domain", "--domain", domain, whole_number(0U, kMostDomain), "DDS domain");
+}
+
 void add_network_settings(Settings& settings, DdsOptions& options) {
-  settings.add("dds.domain", "--domain", options.domain, whole_number(0U, kMostDomain),
-               "DDS domain");
+  add_domain_setting(settings, options.domain);
   settings.add("dds.cluster", "--cluster", options.cluster,
                text("1 to 64 letters, digits, '-', '_' and '.'", "NAME", is_cluster_name),
                "Only processes of one cluster work together");
@@ -57,11 +60,15 @@ void add_network_settings(Settings& settings, DdsOptions& options) {
       .initial = "all";
 }
 
-void add_timing_settings(Settings& settings, DdsOptions& options) {
-  settings.add("dds.lease", "--dds-lease", options.lease, rounded_seconds(2ms, 1h),
+void add_lease_settings(Settings& settings, std::chrono::milliseconds& lease,
+                        std::chrono::milliseconds& announcement) {
+  settings.add("dds.lease", "--dds-lease", lease, rounded_seconds(2ms, 1h),
                "Silence until a process is given up");
-  settings.add("dds.announcement", "--dds-announcement", options.announcement,
-               rounded_seconds(1ms, 1h), "From one sign of life to the next");
+  settings.add("dds.announcement", "--dds-announcement", announcement, rounded_seconds(1ms, 1h),
+               "From one sign of life to the next");
+}
+
+void add_size_settings(Settings& settings, DdsOptions& options) {
   settings.add("dds.segment_bytes", "--dds-segment-bytes", options.segment_bytes,
                bytes(kLeastSegmentBytes, kMostSegmentBytes),
                "Shared memory for what this process sends");
@@ -74,11 +81,25 @@ void add_timing_settings(Settings& settings, DdsOptions& options) {
 
 void add_dds_settings(Settings& settings, DdsOptions& options) {
   add_network_settings(settings, options);
-  add_timing_settings(settings, options);
+  add_lease_settings(settings, options.lease, options.announcement);
+  add_size_settings(settings, options);
   settings.add_check([&options]() -> std::optional<SettingFault> {
     auto fault = options_fault(options);
     if (!fault) return std::nullopt;
     return SettingFault{"dds." + fault->option, std::move(fault->text)};
+  });
+}
+
+void add_discovery_server_settings(Settings& settings, DiscoveryServerOptions& options) {
+  settings.add_list("listen", "--listen", options.listen, address_with_port(),
+                    "Where it can be asked; 0.0.0.0 for all addresses of this machine");
+  settings.add("id", "--id", options.id, whole_number(0U, kMostDiscoveryServer),
+               "Its place in the dds.addresses of who asks it, from 0 on");
+  add_domain_setting(settings, options.domain);
+  add_lease_settings(settings, options.lease, options.announcement);
+  settings.add_check([&options]() -> std::optional<SettingFault> {
+    if (options.lease >= 2 * options.announcement) return std::nullopt;
+    return SettingFault{"dds.lease", "expected at least two announcements' time"};
   });
 }
 

@@ -2,10 +2,7 @@
 // workers on the same DDS domain.
 #include <chrono>
 #include <csignal>
-#include <exception>
-#include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 
 #include <spdlog/spdlog.h>
@@ -17,6 +14,7 @@
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_server.h"
+#include "common/runtime/process_main.h"
 #include "common/transport/dds_bus.h"
 #include "common/transport/fleet/dds_fleet.h"
 #include "coordinator/journal/memory_journal.h"
@@ -122,13 +120,5 @@ ProcessExit run(int argc, const char* const* argv) {
 }  // namespace accord
 
 int main(int argc, char** argv) {
-  try {
-    return static_cast<int>(accord::run(argc, argv));
-  } catch (const std::bad_alloc&) {
-    std::cerr << "accord-coordinator: out of memory\n";
-  } catch (const std::exception& error) {
-    std::cerr << "accord-coordinator: internal error: " << error.what()
-              << "\nThis is a bug in accord. Please report it.\n";
-  }
-  return static_cast<int>(accord::ProcessExit::kBug);
+  return accord::process_main("accord-coordinator", [&] { return accord::run(argc, argv); });
 }

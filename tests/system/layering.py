@@ -20,6 +20,7 @@ RULES = {
     "common/transport": COMMON + ["common/io", "common/runtime"],
     "worker": ALL_COMMON,
     "coordinator": ALL_COMMON,
+    "discovery": ALL_COMMON,
     # What a fleet manager links: nothing of the planner.
     "client/fleet": ALL_COMMON,
     "client/example": ALL_COMMON + ["client/fleet"],

@@ -3,10 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <exception>
-#include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -17,6 +14,7 @@
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_server.h"
+#include "common/runtime/process_main.h"
 #include "common/transport/dds_bus.h"
 #include "worker/main/worker_metrics.h"
 #include "worker/main/worker_settings.h"
@@ -95,13 +93,5 @@ ProcessExit run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return static_cast<int>(run(argc, argv));
-  } catch (const std::bad_alloc&) {
-    std::cerr << "accord-worker: out of memory\n";
-  } catch (const std::exception& error) {
-    std::cerr << "accord-worker: internal error: " << error.what()
-              << "\nThis is a bug in accord. Please report it.\n";
-  }
-  return static_cast<int>(ProcessExit::kBug);
+  return accord::process_main("accord-worker", [&] { return run(argc, argv); });
 }

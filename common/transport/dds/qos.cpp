@@ -135,6 +135,28 @@ DomainParticipantQos participant_qos(const DdsOptions& options, const std::strin
   return qos;
 }
 
+DomainParticipantQos server_qos(const DiscoveryServerOptions& options) {
+  DomainParticipantQos qos;
+  qos.name("accord-discovery");
+  auto& builtin = qos.wire_protocol().builtin;
+  builtin.discovery_config.discoveryProtocol =
+      eprosima::fastrtps::rtps::DiscoveryProtocol_t::SERVER;
+  builtin.discovery_config.leaseDuration = duration(options.lease);
+  builtin.discovery_config.leaseDuration_announcementperiod = duration(options.announcement);
+  eprosima::fastdds::rtps::get_server_client_default_guidPrefix(static_cast<int>(options.id),
+                                                                qos.wire_protocol().prefix);
+  for (const DdsAddress& address : options.listen) {
+    builtin.metatrafficUnicastLocatorList.push_back(locator(address));
+  }
+  // UDP alone: shared memory would have to be shared by whoever asks.
+  qos.transport().use_builtin_transports = false;
+  auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  udp->sendBufferSize = kSocketBuffer;
+  udp->receiveBufferSize = kSocketBuffer;
+  qos.transport().user_transports.push_back(std::move(udp));
+  return qos;
+}
+
 DataWriterQos writer_qos(std::size_t depth) {
   using namespace std::chrono_literals;
   DataWriterQos qos;

@@ -8,6 +8,7 @@
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <string>
 
+#include "common/transport/dds_discovery.h"
 #include "common/transport/dds_options.h"
 
 namespace accord::dds {
@@ -15,6 +16,8 @@ namespace accord::dds {
 // Transports, discovery, leases. `user_data`: who the participant is (peer_name.h).
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DdsOptions& options,
                                                              const std::string& user_data);
+// Of a discovery server.
+eprosima::fastdds::dds::DomainParticipantQos server_qos(const DiscoveryServerOptions& options);
 
 // Reliable, in order, nothing thrown away: a writer that has `depth` samples that a reader has not
 // acknowledged refuses more.
