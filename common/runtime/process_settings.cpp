@@ -13,7 +13,7 @@ void add_log_settings(Settings& settings, LogOptions& log) {
 }
 
 void add_metrics_settings(Settings& settings, MetricsOptions& metrics) {
-  settings.add("metrics.port", "--metrics-port", metrics.port,
+  settings.add("metrics.port", "--metrics", metrics.port,
                whole_number<std::uint16_t>(0, UINT16_MAX),
                "Port for /metrics, /healthz and /readyz, 0 for none");
   settings.add("metrics.address", "--metrics-address", metrics.address, ipv4_address(),

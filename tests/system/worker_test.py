@@ -138,7 +138,7 @@ class Running(WorkerTest):
 
     def test_is_healthy_but_not_ready_without_a_coordinator(self):
         port = free_port()
-        self.start("--log", "off", "--metrics-port", port)
+        self.start("--log", "off", "--metrics", port)
         self.await_status(port, "/metrics", 200)
         self.await_status(port, "/healthz", 200)
         self.await_status(port, "/readyz", 503)
@@ -148,7 +148,7 @@ class Running(WorkerTest):
             taken.bind(("127.0.0.1", 0))
             taken.listen()
             port = taken.getsockname()[1]
-            process = self.start("--metrics-port", port)
+            process = self.start("--metrics", port)
             _, errors = process.communicate(timeout=60)
         self.assertEqual(UNAVAILABLE, process.returncode)
         self.assertRegex(errors, re.escape(f"cannot bind to 127.0.0.1:{port}"))

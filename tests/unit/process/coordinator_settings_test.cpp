@@ -36,7 +36,7 @@ TEST(CoordinatorSettings, SetWhatTheyAreNamedAfter) {
                         {{"--lease", {"2.5"}},
                          {"--deaths", {"4"}},
                          {"--threads", {"3"}},
-                         {"--metrics-port", {"9464"}},
+                         {"--metrics", {"9464"}},
                          {"--log", {"debug"}}}};
   EXPECT_THAT(configure(coordinator_table(settings), written).usage, ElementsAre());
   EXPECT_EQ(settings.journal, "/var/lib/accord/journal.db");
