@@ -10,7 +10,7 @@ enum class ExitCode : int {
   kBadInput = 3,    // a file cannot be read or written, or is wrong
   kInfeasible = 4,  // no plan where the search goes no further, or the plan given is refuted
   kTimeout = 5,     // time ran out, or the request was cancelled
-  kNoService = 6,   // no planning service answers
+  kNoService = 6,   // no planning service answers, or it is not well
 };
 
 }  // namespace accord

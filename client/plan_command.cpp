@@ -1,10 +1,8 @@
 // accord plan: from a scene to a proven plan.
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "client/commands.h"
 #include "client/engine/planner.h"
@@ -13,6 +11,7 @@
 #include "client/option_values.h"
 #include "client/plan_output.h"
 #include "client/progress_line.h"
+#include "common/runtime/cores.h"
 #include "common/runtime/log.h"
 
 namespace accord {
@@ -74,7 +73,7 @@ void add_options(CLI::App& command, CommandOptions& options) {
 
 void add_plan_command(CLI::App& app, ExitCode& exit_code) {
   auto options = std::make_shared<CommandOptions>();
-  options->threads = std::max(1U, std::thread::hardware_concurrency());
+  options->threads = cores();
   CLI::App* command = app.add_subcommand(
       "plan", "Plan a scene: every robot from its start to its goal, proved free of collisions");
   add_options(*command, *options);

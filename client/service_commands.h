@@ -18,6 +18,8 @@ inline constexpr ServiceCommand kWatchCommand{
     "watch", "Show a service, its requests and its workers as they go on, until Ctrl-C"};
 inline constexpr ServiceCommand kCancelCommand{
     "cancel", "Cancel requests of a service, and wait for what becomes of each"};
+inline constexpr ServiceCommand kHealthCommand{
+    "health", "Ask a service's process on this machine whether it is well"};
 inline constexpr ServiceCommand kWorkersCommand{"workers", "List the workers of a service"};
 
 }  // namespace accord

@@ -1,6 +1,5 @@
 #include "client/service_options.h"
 
-#include "common/runtime/configuration.h"
 #include "common/transport/dds_settings.h"
 
 namespace accord {
@@ -17,20 +16,11 @@ ServiceOptions::ServiceOptions() {
 }
 
 void ServiceOptions::add_to(CLI::App& command) {
-  for (const Setting& setting : table_.all()) {
-    command
-        .add_option(setting.flag, flags_[setting.flag],
-                    setting.help + " [" + setting.initial + "; " + variable_of(setting) + "]")
-        ->type_name(setting.placeholder)
-        ->group("Service");
-  }
+  flags_.add_to(command, table_, "Service");
 }
 
 const DdsOptions& ServiceOptions::resolve() {
-  Written written{std::nullopt, process_environment(), flags_};
-  std::erase_if(written.flags, [](const auto& entry) { return entry.second.empty(); });
-  const WrittenFaults faults = configure(table_, written);
-  if (!faults.usage.empty()) throw CLI::ValidationError(faults.usage.front());
+  flags_.resolve(table_);
   return dds_;
 }
 

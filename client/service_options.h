@@ -3,10 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <map>
-#include <string>
-#include <vector>
 
+#include "client/setting_flags.h"
 #include "common/runtime/settings.h"
 #include "common/transport/dds_options.h"
 
@@ -26,7 +24,7 @@ class ServiceOptions {
  private:
   DdsOptions dds_;
   Settings table_;
-  std::map<std::string, std::vector<std::string>> flags_;
+  SettingFlags flags_;
 };
 
 }  // namespace accord

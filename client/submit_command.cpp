@@ -1,14 +1,12 @@
 // accord submit: from a scene to a proven plan, by a service.
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <iostream>
 #include <memory>
 #include <random>
 #include <string>
-#include <thread>
 
 #include "client/commands.h"
 #include "client/files.h"
@@ -23,6 +21,7 @@
 #include "client/service_port.h"
 #include "common/io/request_names.h"
 #include "common/io/words.h"
+#include "common/runtime/cores.h"
 #include "common/transport/fleet/fleet_limits.h"
 
 namespace accord {
@@ -117,7 +116,7 @@ ExitCode run(CommandOptions& options) {
         [&reporter](const RequestState& state) { reporter.show(state); }, on_signal.cancelled());
   }
   if (!answer) return explain(answer.error(), options);
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = cores();
   return hand_out(read.scene, *answer, options.question, threads);
 }
 

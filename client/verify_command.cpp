@@ -1,11 +1,9 @@
 // accord verify: proves or refutes a plan from any source.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "client/commands.h"
 #include "client/counted.h"
@@ -14,6 +12,7 @@
 #include "client/table.h"
 #include "client/verdict_text.h"
 #include "common/planning/verifier.h"
+#include "common/runtime/cores.h"
 
 namespace accord {
 namespace {
@@ -33,7 +32,7 @@ ExitCode run(const VerifyOptions& options) {
     std::cerr << fmt::format("{}: note: {}\n", options.plan, *other);
   }
 
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = cores();
   const Verdict verdict =
       verify(scene, *plan, threads, options.quiet ? Beyond::kNothing : Beyond::kSeparations);
   if (!verdict.proved()) {

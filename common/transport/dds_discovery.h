@@ -21,7 +21,8 @@ inline constexpr unsigned kMostDiscoveryServer = 255;
 struct DiscoveryServerOptions {
   std::uint32_t domain = 0;  // at most kMostDomain
   unsigned id = 0;           // its place in DdsOptions::addresses of who asks it; at most 255
-  std::vector<DdsAddress> listen{{"0.0.0.0", kDiscoveryPort}};  // 0.0.0.0: all of this machine
+  std::vector<DdsAddress> listen{{"0.0.0.0", kDiscoveryPort}};  // 0.0.0.0: all of this machine's;
+                                                                // port 0: kDiscoveryPort
   std::chrono::milliseconds lease{2000};                        // as in DdsOptions
   std::chrono::milliseconds announcement{200};
 };

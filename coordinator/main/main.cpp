@@ -13,7 +13,7 @@
 #include "common/runtime/host_name.h"
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
-#include "common/runtime/metrics_server.h"
+#include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
 #include "common/transport/dds_bus.h"
 #include "common/transport/fleet/dds_fleet.h"
@@ -68,13 +68,9 @@ ProcessExit fail(const std::string& why) {
   return ProcessExit::kUnavailable;
 }
 
-// nullptr where none is wanted.
-tl::expected<std::unique_ptr<MetricsServer>, std::string> serve_metrics(
-    const MetricsOptions& options, Metrics& metrics, const ServiceTally& tally) {
-  if (options.port == 0) return nullptr;
-  return MetricsServer::start(metrics, options.address, options.port,
-                              {[&tally] { return tally.since_last_turn() < kHangs; },
-                               [&tally] { return tally.is_ready(); }});
+MetricsServer::Probes probes(const ServiceTally& tally) {
+  return {[&tally] { return tally.since_last_turn() < kHangs; },
+          [&tally] { return tally.is_ready(); }};
 }
 
 ProcessExit serve(const CoordinatorSettings& settings) {
@@ -84,7 +80,7 @@ ProcessExit serve(const CoordinatorSettings& settings) {
   ServiceTally tally;
   Metrics metrics;
   add_coordinator_metrics(metrics, tally);
-  const auto server = serve_metrics(settings.metrics, metrics, tally);
+  const auto server = serve_metrics(settings.metrics, metrics, probes(tally));
   if (!server) return fail(server.error());
   const auto journal = open_journal(settings);
   if (!journal) return fail(journal.error());

@@ -11,7 +11,7 @@
 #include "common/runtime/ending_signals.h"
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
-#include "common/runtime/metrics_server.h"
+#include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
 #include "common/transport/dds_discovery.h"
 #include "discovery/main/discovery_settings.h"
@@ -42,19 +42,12 @@ class Reporter {
   Metrics::Gauge participants_;
 };
 
-// nullptr where none is wanted.
-tl::expected<std::unique_ptr<MetricsServer>, std::string> serve_metrics(
-    const MetricsOptions& options, Metrics& metrics) {
-  if (options.port == 0) return nullptr;
-  return MetricsServer::start(metrics, options.address, options.port, {});
-}
-
 ProcessExit serve(const DiscoverySettings& settings) {
   EndingSignals signals;
   std::promise<void> asked_to_end;
   signals.set([&asked_to_end] { asked_to_end.set_value(); });
   Metrics metrics;
-  const auto metrics_server = serve_metrics(settings.metrics, metrics);
+  const auto metrics_server = serve_metrics(settings.metrics, metrics, {});
   if (!metrics_server) return fail(metrics_server.error());
   const auto server = make_dds_discovery_server(settings.server, Reporter(metrics));
   if (!server) return fail(server.error());

@@ -132,8 +132,9 @@ class Running(WorkerTest):
             self.assertEqual("accord-worker", record["process"])
             self.assertEqual("info", record["level"])
             self.assertRegex(record["time"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$")
-        self.assertRegex(records[0]["message"], "^worker [0-9a-f]+ with 1 threads")
-        self.assertIn(records[0]["worker"], records[0]["message"])
+        self.assertEqual(f"metrics at http://127.0.0.1:{port}/metrics", records[0]["message"])
+        self.assertRegex(records[1]["message"], "^worker [0-9a-f]+ with 1 threads")
+        self.assertIn(records[1]["worker"], records[1]["message"])
         self.assertEqual("ended", records[-1]["message"])
 
     def test_is_healthy_but_not_ready_without_a_coordinator(self):

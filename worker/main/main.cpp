@@ -13,7 +13,7 @@
 #include "common/runtime/host_name.h"
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
-#include "common/runtime/metrics_server.h"
+#include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
 #include "common/transport/dds_bus.h"
 #include "worker/main/worker_metrics.h"
@@ -44,7 +44,7 @@ ProcessExit work(const accord::WorkerSettings& options, accord::WorkerTally& tal
   while (true) {
     auto bus = accord::make_dds_bus(accord::Role::kWorker, options.dds);
     if (!bus) {
-      spdlog::error(bus.error());
+      spdlog::error("{}", bus.error());
       return ProcessExit::kUnavailable;
     }
     const std::string id = to_string((*bus)->self());
@@ -67,23 +67,18 @@ ProcessExit run(int argc, char** argv) {
       accord::worker_table(options), argc, argv);
   if (start.end) return *start.end;
   accord::start_log("accord-worker", options.log);
-  for (const std::string& warning : start.warnings) spdlog::warn(warning);
+  for (const std::string& warning : start.warnings) spdlog::warn("{}", warning);
 
   accord::EndingSignals signals;
   accord::WorkerTally tally;
   accord::Metrics metrics;
   accord::add_worker_metrics(metrics, tally, options.threads);
-  std::unique_ptr<accord::MetricsServer> server;
-  if (options.metrics.port > 0) {
-    auto started =
-        accord::MetricsServer::start(metrics, options.metrics.address, options.metrics.port,
-                                     {[&tally] { return tally.since_last_turn() < kHangs; },
-                                      [&tally] { return tally.is_employed(); }});
-    if (!started) {
-      spdlog::error(started.error());
-      return ProcessExit::kUnavailable;
-    }
-    server = std::move(*started);
+  const auto server = accord::serve_metrics(options.metrics, metrics,
+                                            {[&tally] { return tally.since_last_turn() < kHangs; },
+                                             [&tally] { return tally.is_employed(); }});
+  if (!server) {
+    spdlog::error("{}", server.error());
+    return ProcessExit::kUnavailable;
   }
   const ProcessExit code = work(options, tally, signals);
   spdlog::info("ended");

@@ -145,7 +145,8 @@ DomainParticipantQos server_qos(const DiscoveryServerOptions& options) {
   builtin.discovery_config.leaseDuration_announcementperiod = duration(options.announcement);
   eprosima::fastdds::rtps::get_server_client_default_guidPrefix(static_cast<int>(options.id),
                                                                 qos.wire_protocol().prefix);
-  for (const DdsAddress& address : options.listen) {
+  for (DdsAddress address : options.listen) {
+    if (address.port == 0) address.port = kDiscoveryPort;
     builtin.metatrafficUnicastLocatorList.push_back(locator(address));
   }
   // UDP alone: shared memory would have to be shared by whoever asks.

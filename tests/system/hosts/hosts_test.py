@@ -4,7 +4,7 @@ one process plans while the network between them loses frames, crawls and breaks
 
     accord submit: manager 10.77.0.1     accord-worker: first  10.77.0.3
     accord-coordinator: hub 10.77.0.2    accord-worker: second 10.77.0.4
-    fast-discovery-server, in one case: directory 10.77.0.5
+    accord-discovery, or Fast DDS's own, in some cases: directory 10.77.0.5
 
 Environment variables: ACCORD, ACCORD_COORDINATOR, ACCORD_WORKER are the binaries, build/bin/... unless
 told. Takes root; where it cannot be had, all is skipped.
@@ -87,15 +87,32 @@ class Discovery(HostsTest):
     def test_by_a_discovery_server_beside_the_coordinator(self):
         self.assert_all_plans_with_a_server_on("hub")
 
-    def assert_all_plans_with_a_server_on(self, host):
-        address = self.network.addresses[host]
+    def test_by_a_discovery_server_that_was_gone_for_a_while(self):
+        self.serve_discovery_on("directory").kill()
+        self.serve_discovery_on("directory")
+        self.assert_all_plans()
+
+    def test_by_the_discovery_server_of_fast_dds(self):
+        address = self.ask_at("hub")
         server = self.network.start(
-            host, ["fast-discovery-server", "-i", 0, "-l", address, "-p", 11811],
+            "hub", ["fast-discovery-server", "-i", 0, "-l", address, "-p", 11811],
             stdout=subprocess.DEVNULL)
         self.addCleanup(server.wait)
         self.addCleanup(server.send_signal, signal.SIGINT)  # else it leaves its shared memory behind
-        self.settings = ["--discovery", "server", "--address", f"{address}:11811"]
         self.assert_all_plans()
+
+    def assert_all_plans_with_a_server_on(self, host):
+        self.serve_discovery_on(host)
+        self.assert_all_plans()
+
+    def serve_discovery_on(self, host):
+        return self.service.discovery(host, "--listen", self.ask_at(host))
+
+    def ask_at(self, host):
+        """The address that all others ask from now on."""
+        address = self.network.addresses[host]
+        self.settings = ["--discovery", "server", "--address", f"{address}:11811"]
+        return address
 
 
 class Loss(HostsTest):

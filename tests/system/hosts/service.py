@@ -18,6 +18,7 @@ def _binary(variable, name):
 
 ACCORD = _binary("ACCORD", "accord")
 COORDINATOR = _binary("ACCORD_COORDINATOR", "accord-coordinator")
+DISCOVERY = _binary("ACCORD_DISCOVERY", "accord-discovery")
 WORKER = _binary("ACCORD_WORKER", "accord-worker")
 
 
@@ -97,6 +98,9 @@ class Service:
     def worker(self, host):
         return self._run(host, WORKER, "--threads", "1")
 
+    def discovery(self, host, *more):
+        return self._run(host, DISCOVERY, *more, flags=False)
+
     def submit(self, host, name, *more):
         return self._run(host, ACCORD, "submit", scene(name), "--json", *more)
 
@@ -107,8 +111,8 @@ class Service:
         for process in self._processes:
             process.kill()
 
-    def _run(self, host, *command):
+    def _run(self, host, *command, flags=True):
         process = Process(functools.partial(self._start, host), self._folder,
-                          [*command, *self._flags(host)])
+                          [*command, *(self._flags(host) if flags else ())])
         self._processes.append(process)
         return process

@@ -54,6 +54,20 @@ TEST(CoordinatorSettings, SetWhatTheyAreNamedAfter) {
   EXPECT_EQ(settings.log.level, LogLevel::kDebug);
 }
 
+TEST(MetricsPort, IsANumberAnyOrNone) {
+  const auto port_of = [](const char* text) {
+    CoordinatorSettings settings;
+    const Written written{std::nullopt, {}, {{"--metrics", {text}}}};
+    EXPECT_THAT(configure(coordinator_table(settings), written).usage, ElementsAre()) << text;
+    return settings.metrics.port;
+  };
+  EXPECT_EQ(CoordinatorSettings().metrics.port, std::nullopt);
+  EXPECT_EQ(port_of("65535"), 65535);
+  EXPECT_EQ(port_of("any"), 0);
+  EXPECT_EQ(port_of("none"), std::nullopt);
+  EXPECT_EQ(port_of("0"), std::nullopt);
+}
+
 TEST(CoordinatorSettings, AreBounded) {
   CoordinatorSettings settings;
   const Written written{

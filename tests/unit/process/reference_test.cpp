@@ -7,6 +7,7 @@
 #include <string>
 
 #include "coordinator/main/coordinator_settings.h"
+#include "discovery/main/discovery_settings.h"
 #include "worker/main/worker_settings.h"
 
 namespace accord {
@@ -29,9 +30,11 @@ std::set<std::string> documented() {
 
 TEST(Operations, ListsEverySettingAndNoOther) {
   CoordinatorSettings coordinator;
+  DiscoverySettings discovery;
   WorkerSettings worker;
   std::set<std::string> rows;
-  for (const Settings& table : {coordinator_table(coordinator), worker_table(worker)}) {
+  for (const Settings& table :
+       {coordinator_table(coordinator), discovery_table(discovery), worker_table(worker)}) {
     for (const Setting& setting : table.all()) rows.insert(row_of(setting));
   }
   EXPECT_THAT(documented(), ::testing::ContainerEq(rows));
@@ -40,8 +43,10 @@ TEST(Operations, ListsEverySettingAndNoOther) {
 // Names are typed by hand in two tables: a slip would hide one setting behind another.
 TEST(Settings, HaveNamesOfTheirOwn) {
   CoordinatorSettings coordinator;
+  DiscoverySettings discovery;
   WorkerSettings worker;
-  for (const Settings& table : {coordinator_table(coordinator), worker_table(worker)}) {
+  for (const Settings& table :
+       {coordinator_table(coordinator), discovery_table(discovery), worker_table(worker)}) {
     std::set<std::string> names;
     for (const Setting& setting : table.all()) {
       EXPECT_TRUE(names.insert(setting.key).second) << setting.key;
