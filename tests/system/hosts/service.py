@@ -79,6 +79,9 @@ class Process:
             raise AssertionError(f"{self.name} has not ended within {within} s") from None
         return code, time.monotonic() - self.began
 
+    def terminate(self):
+        self._process.terminate()
+
     def kill(self):
         self._process.kill()
         self._process.wait()
