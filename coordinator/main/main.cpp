@@ -17,6 +17,7 @@
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_server.h"
+#include "common/runtime/process_metrics.h"
 #include "common/transport/dds_bus.h"
 #include "common/transport/fleet/dds_fleet.h"
 #include "coordinator/journal/memory_journal.h"
@@ -27,9 +28,6 @@
 
 namespace accord {
 namespace {
-
-// The loop turns ten times a second, however much is being planned: that has its own threads.
-constexpr auto kHangs = std::chrono::seconds(10);
 
 tl::expected<std::unique_ptr<Journal>, std::string> open_journal(
     const CoordinatorSettings& settings) {
@@ -74,9 +72,9 @@ ProcessExit fail(const std::string& why) {
 tl::expected<std::unique_ptr<MetricsServer>, std::string> serve_metrics(
     const MetricsOptions& options, Metrics& metrics, const ServiceTally& tally) {
   if (options.port == 0) return nullptr;
-  return MetricsServer::start(metrics, options.address, options.port,
-                              {[&tally] { return tally.since_last_turn() < kHangs; },
-                               [&tally] { return tally.is_ready(); }});
+  return MetricsServer::start(
+      metrics, options.address, options.port,
+      {[&tally] { return tally.is_alive(); }, [&tally] { return tally.is_ready(); }});
 }
 
 ProcessExit serve(const CoordinatorSettings& settings) {
@@ -85,7 +83,8 @@ ProcessExit serve(const CoordinatorSettings& settings) {
   std::signal(SIGXFSZ, SIG_IGN);
   ServiceTally tally;
   Metrics metrics;
-  add_coordinator_metrics(metrics, tally);
+  add_process_metrics(metrics, ACCORD_VERSION);
+  add_coordinator_metrics(metrics, tally, settings.journal);
   const auto server = serve_metrics(settings.metrics, metrics, tally);
   if (!server) return fail(server.error());
   const auto journal = open_journal(settings);

@@ -2,7 +2,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "common/runtime/log.h"
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_server.h"
+#include "common/runtime/process_metrics.h"
 #include "common/transport/dds_bus.h"
 #include "worker/main/worker_metrics.h"
 #include "worker/main/worker_settings.h"
@@ -25,9 +25,6 @@
 namespace {
 
 using accord::ProcessExit;
-
-// The loop turns ten times a second, however busy the worker is: its tasks have their own threads.
-constexpr auto kHangs = std::chrono::seconds(10);
 
 accord::TaskDesk::Settings desk_settings(const accord::WorkerSettings& options) {
   accord::TaskDesk::Settings settings;
@@ -74,13 +71,13 @@ ProcessExit run(int argc, char** argv) {
   accord::EndingSignals signals;
   accord::WorkerTally tally;
   accord::Metrics metrics;
+  accord::add_process_metrics(metrics, ACCORD_VERSION);
   accord::add_worker_metrics(metrics, tally, options.threads);
   std::unique_ptr<accord::MetricsServer> server;
   if (options.metrics.port > 0) {
-    auto started =
-        accord::MetricsServer::start(metrics, options.metrics.address, options.metrics.port,
-                                     {[&tally] { return tally.since_last_turn() < kHangs; },
-                                      [&tally] { return tally.is_employed(); }});
+    auto started = accord::MetricsServer::start(
+        metrics, options.metrics.address, options.metrics.port,
+        {[&tally] { return tally.is_alive(); }, [&tally] { return tally.is_ready(); }});
     if (!started) {
       spdlog::error(started.error());
       return ProcessExit::kUnavailable;
