@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that deploy/monitoring/ and docs/operations.md name the metrics, labels and values of labels
-that a coordinator and a worker have, and that the page names all of them: each way for the page, which
+that a coordinator, a worker and a discovery server have, and that the page names all of them: each way for the page, which
 process has what, too.
 
 Prints a line for every difference; exits 1 if there is one. Checks itself first, by altering each name
@@ -167,12 +167,13 @@ def section_of(page, heading):
 
 def documented_metrics(page):
     """By process: the page's metrics, as names with the names of their labels."""
-    out = {"coordinator": set(), "worker": set()}
+    out = {"coordinator": set(), "worker": set(), "discovery": set()}
     processes = ()
     for line in section_of(page, "Metrics").splitlines():
-        if heading := re.match(r"\| of (both|a coordinator|a worker) \|", line):
-            processes = {"both": ("coordinator", "worker"), "a coordinator": ("coordinator",),
-                         "a worker": ("worker",)}[heading[1]]
+        if heading := re.match(r"\| of (all|coordinators and workers|a coordinator|a worker|a discovery server) \|", line):
+            processes = {"all": tuple(out), "coordinators and workers": ("coordinator", "worker"),
+                         "a coordinator": ("coordinator",), "a worker": ("worker",),
+                         "a discovery server": ("discovery",)}[heading[1]]
         elif line.startswith("| `"):
             for process in processes:
                 out[process].update(re.findall(r"`([^`]+)`", line.split("|")[1]))

@@ -1,5 +1,6 @@
-"""A coordinator and a worker on 127.0.0.1 that serve metrics, and what these are. The binaries are the
-environment variables ACCORD_COORDINATOR and ACCORD_WORKER, build/bin/... unless told."""
+"""A coordinator, a worker and a discovery server on 127.0.0.1 that serve metrics, and what these are. The
+binaries are the environment variables ACCORD_COORDINATOR, ACCORD_WORKER and ACCORD_DISCOVERY,
+build/bin/... unless told."""
 
 import dataclasses
 import os
@@ -15,7 +16,7 @@ import urllib.request
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # Taken out of the environment: else the services would take them for settings.
 BINARIES = {name: os.environ.pop(f"ACCORD_{name.upper()}", str(ROOT / f"build/bin/accord-{name}"))
-            for name in ("coordinator", "worker")}
+            for name in ("coordinator", "worker", "discovery")}
 
 
 @dataclasses.dataclass
@@ -54,13 +55,15 @@ def get(port):
 
 
 def scrape():
-    """By process, "coordinator" and "worker": the metrics that each has before anybody asks for a
+    """By process, "coordinator", "worker" and "discovery": the metrics that each has before anybody asks for a
     plan. All that a dashboard can name has to be there by then."""
-    flags = ["--transport", "udp", "--interface", "127.0.0.1", "--domain",
-             str(random.randint(1, 200)), "--cluster", f"test-{os.getpid()}", "--log", "error"]
+    flags = ["--domain", str(random.randint(1, 200)), "--log", "error"]
+    service = ["--transport", "udp", "--interface", "127.0.0.1", "--cluster", f"test-{os.getpid()}"]
     out, processes = {}, []
     with tempfile.TemporaryDirectory() as folder:
-        more = {"coordinator": ["--journal", f"{folder}/journal.db"], "worker": ["--threads", "1"]}
+        more = {"coordinator": [*service, "--journal", f"{folder}/journal.db"],
+                "worker": [*service, "--threads", "1"],
+                "discovery": ["--listen", f"127.0.0.1:{free_port()}"]}
         try:
             for name, binary in BINARIES.items():
                 port = free_port()
