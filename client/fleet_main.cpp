@@ -9,5 +9,6 @@ int main(int argc, char** argv) {
     add_watch_command(app, exit_code);
     add_cancel_command(app, exit_code);
     add_workers_command(app, exit_code);
+    add_doctor_command(app, exit_code);
   });
 }

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   return run_application(argc, argv, [argv](CLI::App& app, ExitCode& exit_code) {
     add_plan_command(app, exit_code);
     for (const ServiceCommand& command :
-         {kSubmitCommand, kWatchCommand, kCancelCommand, kWorkersCommand}) {
+         {kSubmitCommand, kWatchCommand, kCancelCommand, kWorkersCommand, kDoctorCommand}) {
       add_delegated_command(app, exit_code, command, argv);
     }
     add_verify_command(app, exit_code);

@@ -19,5 +19,7 @@ inline constexpr ServiceCommand kWatchCommand{
 inline constexpr ServiceCommand kCancelCommand{
     "cancel", "Cancel requests of a service, and wait for what becomes of each"};
 inline constexpr ServiceCommand kWorkersCommand{"workers", "List the workers of a service"};
+inline constexpr ServiceCommand kDoctorCommand{
+    "doctor", "Find out why processes see each other, or do not, and no data flows"};
 
 }  // namespace accord
