@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 using Steady = std::chrono::steady_clock;
 
 // Long enough for those who are there to have been found, and for the service to speak again.
-constexpr auto kLeast = 2500ms;
+constexpr auto kLeast = 1500ms;
 constexpr auto kTurn = 50ms;
 // What comes of a datagram to a closed port, or without a route, comes within that.
 constexpr auto kForAnswers = 400ms;

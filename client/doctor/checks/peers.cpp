@@ -42,6 +42,15 @@ Silence silence_in_memory(const Observations& seen, const SeenParticipant& peer)
   return is_denied ? Silence::kOtherUser : Silence::kUnknown;
 }
 
+// A socket that is kept to one interface hears multicast from all of them, so that announcements
+// arrive of whom no answer can reach.
+bool is_reached_from_other_interfaces(const Observations& seen, const SeenParticipant& peer) {
+  if (seen.options.interfaces.empty() || !seen.by_udp) return false;
+  return std::ranges::any_of(seen.by_udp->survey.participants, [&peer](const auto& other) {
+    return other.guid == peer.guid && is_reached(other);
+  });
+}
+
 bool is_unreachable(const AddressProbe& probe) {
   return !probe.fault.empty() || (probe.ports > 0 && probe.refused == probe.ports);
 }
@@ -81,6 +90,7 @@ Silence silence_of(const Observations& seen, const SeenParticipant& peer) {
   if (is_reached(peer)) return Silence::kNone;
   if (peer.demands_security) return Silence::kSecurity;
   if (peer.is_of_this_host && listens_in_memory_only(peer)) return silence_in_memory(seen, peer);
+  if (is_reached_from_other_interfaces(seen, peer)) return Silence::kOtherNetwork;
   const auto probes = seen.silent.find(peer.guid);
   const bool has_way = probes == seen.silent.end() || probes->second.empty() ||
                        !std::ranges::all_of(probes->second, is_unreachable);

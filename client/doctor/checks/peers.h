@@ -22,11 +22,12 @@ bool speaks_our_protocol(const Observations& seen, const AccordName& name);
 bool is_reached(const SeenParticipant& peer);
 
 enum class Silence {
-  kNone,         // it is reached
-  kSecurity,     // it wants a certificate
-  kNotShared,    // it listens in another /dev/shm
-  kOtherUser,    // it listens in files that are not for this user
-  kUnreachable,  // its addresses cannot be reached from here
+  kNone,          // it is reached
+  kSecurity,      // it wants a certificate
+  kNotShared,     // it listens in another /dev/shm
+  kOtherUser,     // it listens in files that are not for this user
+  kUnreachable,   // its addresses cannot be reached from here
+  kOtherNetwork,  // they can, but not from the interfaces that were told
   kUnknown,
 };
 Silence silence_of(const Observations& seen, const SeenParticipant& peer);

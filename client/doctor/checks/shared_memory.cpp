@@ -69,7 +69,7 @@ void check_stale(const Observations& seen, std::vector<Finding>& out) {
     return;
   }
   const std::string sudo = memory.has_foreign_stale && seen.user != 0 ? "sudo " : "";
-  std::string remove = sudo + "rm";
+  std::string remove = sudo + "rm -f";
   for (const std::string& file : memory.stale) remove += " " + file;
   Finding finding{
       Severity::kWarning,

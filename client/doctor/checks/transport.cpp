@@ -85,7 +85,10 @@ Finding of_memory(const Peers& hidden) {
 
 void check_transport(const Observations& seen, std::vector<Finding>& out) {
   if (!seen.as_told.join_fault.empty()) return;
-  const Peers by_udp = only_in(seen, seen.by_udp);
+  Peers by_udp = only_in(seen, seen.by_udp);
+  for (const SeenParticipant* peer : members_with(seen, Silence::kOtherNetwork)) {
+    by_udp.push_back(peer);
+  }
   const Peers by_memory = only_in(seen, seen.by_memory);
   if (!by_udp.empty()) out.push_back(of_udp(seen, by_udp));
   if (!by_memory.empty()) out.push_back(of_memory(by_memory));

@@ -81,6 +81,16 @@ TEST(TransportCheck, NamesWhoIsThereByOtherWaysOnly) {
   EXPECT_EQ(complaints(seen), (Complaints{"fault transport", "warning service"}));
 }
 
+TEST(TransportCheck, KnowsInterfacesThatHearAndCannotAnswer) {
+  Observations seen = healthy();
+  worker_of(seen).endpoints = worker_of(seen).samples = 0;
+  EXPECT_EQ(complaints(seen), Complaints{"fault no-data"});
+  seen.options.interfaces = {"127.0.0.1"};
+  EXPECT_EQ(complaints(seen), Complaints{"fault transport"});
+  seen.by_udp.reset();
+  EXPECT_EQ(complaints(seen), Complaints{"fault no-data"});
+}
+
 TEST(SecurityCheck, NamesWhoShowsACertificateAndSaysNothing) {
   Observations seen = healthy();
   worker_of(seen).demands_security = true;  // but lets others in

@@ -52,7 +52,7 @@ TEST(SharedMemoryCheck, RemovesWhatIsStaleWithTheRightsThatTakes) {
   seen.memory.stale_bytes = 64 * kMebi;
   EXPECT_EQ(complaints(seen), Complaints{"warning shm-stale"});
   const std::string remove =
-      "rm /dev/shm/fastrtps_0123456789abcdef /dev/shm/fastrtps_0123456789abcdef_el";
+      "rm -f /dev/shm/fastrtps_0123456789abcdef /dev/shm/fastrtps_0123456789abcdef_el";
   EXPECT_EQ(finding_of(seen, Concern::kShmStale).mend.back(), remove);
   seen.memory.has_foreign_stale = true;
   EXPECT_EQ(finding_of(seen, Concern::kShmStale).mend.back(), "sudo " + remove);
