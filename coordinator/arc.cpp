@@ -5,6 +5,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/runtime/log.h"
 #include "coordinator/forerunner.h"
 
 namespace accord {
@@ -29,7 +30,7 @@ Outcome Arc::resolve(ConflictBoard& board) {
     if (stop_) return stopped(scene(), board);
     for (const Job& job : jobs) {
       record(job);
-      log(job);
+      log_job(job);
       const Round::Settled settled = round.settle(job);
       if (settled == Round::Settled::kHopeless) {
         return unresolved(scene(), job.conflict, job.subproblem);
@@ -55,8 +56,12 @@ void Arc::solve(std::vector<Job>& jobs, const ConflictBoard& board) {
   };
   std::vector<Subproblem> subproblems;
   for (const Job& job : jobs) subproblems.push_back(job.subproblem);
+  const std::uint64_t before = workforce_.asked();
   std::vector<Resolution> resolutions = workforce_.solve(subproblems, stop_, foresight);
-  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].resolution = std::move(resolutions[i]);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].resolution = std::move(resolutions[i]);
+    jobs[i].number = before + i + 1;
+  }
   are_known = true;
   find_robots_in_the_way(jobs, foresight);
 }
@@ -85,8 +90,8 @@ void Arc::record(const Job& job) {
   if (job.is_exhausted()) ++statistics_.exhausted;
 }
 
-void Arc::log(const Job& job) const {
-  if (!spdlog::should_log(spdlog::level::debug)) return;
+void Arc::log_job(const Job& job) const {
+  if (!logs(LogLevel::kDebug)) return;
   std::string robots;
   for (const Task& task : job.subproblem.tasks) {
     robots += (robots.empty() ? "" : ", ") + scene().robot(task.robot).name;
@@ -98,12 +103,14 @@ void Arc::log(const Job& job) const {
         fmt::format("{} but for {} robots", job.resolution.solver, job.resolution.left.size());
   }
   const Effort& effort = job.resolution.effort;
-  spdlog::debug(
-      "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders: {}: {} "
-      "({} searches, {} expansions, {} samples)",
-      job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
-      job.subproblem.outsiders.size(), robots, outcome, effort.searches, effort.expansions,
-      effort.samples);
+  log(LogLevel::kDebug,
+      fmt::format(
+          "conflict at {:.3f} s, window {:.3f} to {:.3f} s, horizon {:.3f} s, {} outsiders: {}: {} "
+          "({} searches, {} expansions, {} samples)",
+          job.conflict.time, job.subproblem.from, job.subproblem.to, job.subproblem.horizon,
+          job.subproblem.outsiders.size(), robots, outcome, effort.searches, effort.expansions,
+          effort.samples),
+      {{"subproblem", job.number}});
 }
 
 }  // namespace accord

@@ -36,7 +36,7 @@ class Arc final : public Method {
   void find_robots_in_the_way(std::vector<Job>& jobs, const Foresight& foresight);
   void record(const Job& job);
   // One line a subproblem, for who wants to see why planning takes as long as it does.
-  void log(const Job& job) const;
+  void log_job(const Job& job) const;
 
   Adaptation adaptation_;
 };

@@ -26,11 +26,19 @@ struct Attempt {
   double seconds = 0;  // it may take; a guess, which decides who gets what, never what comes back
 };
 
+// Who carried out an attempt, for the log.
+struct Doer {
+  std::string task;    // the attempt's name there, as task_name(); empty: it has none
+  std::string worker;  // the process; empty: this one
+  double seconds = 0;  // it took
+};
+
 struct Attempted {
   Ticket ticket = 0;
   Resolution resolution;       // as Worker::solve() gives it, whoever has carried it out
   double seconds = 0;          // it took
   std::exception_ptr failure;  // nobody could carry it out; then there is no resolution
+  Doer doer;
 };
 
 // Not thread safe: one thread calls.

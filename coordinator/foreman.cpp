@@ -4,8 +4,12 @@
 #include <optional>
 #include <utility>
 
+#include <spdlog/fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
 #include "common/planning/identity.h"
 #include "common/planning/levels.h"
+#include "common/runtime/log.h"
 #include "coordinator/stopwatch.h"
 
 namespace accord {
@@ -19,6 +23,21 @@ constexpr double kShareOfForesight = 0.1;
 // Subproblems that are foreseen at a time, for each hand.
 constexpr std::size_t kForeseenPerHand = 2;
 
+// A line for each attempt that led to the resolution of a subproblem that was asked for.
+void log_climb(std::uint64_t number, const Ladder& ladder) {
+  if (!logs(LogLevel::kDebug)) return;
+  for (const auto& [solvers, resolution, doer] : ladder.climbed()) {
+    std::vector<LogField> fields{{"subproblem", number},
+                                 {"outcome", to_string(outcome_of(resolution))},
+                                 {"solvers", fmt::format("{}", fmt::join(solvers, ","))},
+                                 {"seconds", doer.seconds}};
+    if (!resolution.solver.empty()) fields.emplace_back("solver", resolution.solver);
+    if (!doer.task.empty()) fields.emplace_back("task", doer.task);
+    if (!doer.worker.empty()) fields.emplace_back("worker", doer.worker);
+    log(LogLevel::kDebug, "attempt at a subproblem", fields);
+  }
+}
+
 }  // namespace
 
 std::vector<Resolution> Foreman::solve(const std::vector<Subproblem>& subproblems,
@@ -26,6 +45,7 @@ std::vector<Resolution> Foreman::solve(const std::vector<Subproblem>& subproblem
   for (const Subproblem& subproblem : subproblems) {
     asked_.push_back(take_ladder(subproblem, foreseen_));
   }
+  asked_so_far_ += subproblems.size();
   std::vector<Resolution> resolutions(subproblems.size());
   try {
     work(stop, foresight);
@@ -40,7 +60,10 @@ std::vector<Resolution> Foreman::solve(const std::vector<Subproblem>& subproblem
     drop(std::exchange(foreseen_, {}));
     return resolutions;
   }
-  for (std::size_t i = 0; i < asked.size(); ++i) resolutions[i] = asked[i]->take();
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    log_climb(asked_so_far_ - asked.size() + i + 1, *asked[i]);
+    resolutions[i] = asked[i]->take();
+  }
   return resolutions;
 }
 
@@ -165,13 +188,15 @@ void Foreman::note(Attempted attempted) {
   waited_ += attempted.seconds / static_cast<double>(under_way_.size());
   under_way_.erase(found);
   has_news_ = true;
+  attempted.doer.seconds = attempted.seconds;
   if (attempted.failure) {
     if (!is_ahead) std::rethrow_exception(attempted.failure);
     ladder->put_off(rung);
     return;
   }
   estimate_.learn(*ladder->subproblem(), ladder->solvers(rung), attempted.seconds);
-  const std::vector<Ticket> moot = ladder->end(rung, std::move(attempted.resolution));
+  const std::vector<Ticket> moot =
+      ladder->end(rung, std::move(attempted.resolution), std::move(attempted.doer));
   for (const Ticket ticket : moot) under_way_.erase(ticket);
   if (!moot.empty()) crew_->drop(moot);
   if (!is_ahead) begin_needed(*ladder);

@@ -5,6 +5,7 @@
 // hand when the very same subproblem is asked for. Not thread safe.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,6 +28,7 @@ class Foreman final : public Workforce {
   // Throws what the crew says of an attempt that is needed and that nobody could carry out.
   std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
                                 const std::atomic<bool>& stop, const Foresight& foresight) override;
+  std::uint64_t asked() const override { return asked_so_far_; }
 
  private:
   using Ladders = std::vector<std::unique_ptr<Ladder>>;
@@ -60,9 +62,10 @@ class Foreman final : public Workforce {
   std::map<Ticket, UnderWay> under_way_;
   std::vector<Attempt> begun_;  // not handed over yet
   std::size_t undecided_ = 0;   // of those asked for
-  bool has_news_ = false;       // since foresight was asked
-  double waited_ = 0;           // s: for work, so far, about
-  double foresaw_ = 0;          // s: what foresight has taken so far
+  std::uint64_t asked_so_far_ = 0;
+  bool has_news_ = false;  // since foresight was asked
+  double waited_ = 0;      // s: for work, so far, about
+  double foresaw_ = 0;     // s: what foresight has taken so far
 };
 
 }  // namespace accord

@@ -8,7 +8,7 @@ namespace accord {
 Ladder::Ladder(std::shared_ptr<const Subproblem> subproblem,
                std::vector<std::vector<std::string>> rungs)
     : subproblem_(std::move(subproblem)) {
-  for (auto& solvers : rungs) rungs_.push_back({std::move(solvers), Stage::kOpen, 0, {}});
+  for (auto& solvers : rungs) rungs_.push_back({std::move(solvers), Stage::kOpen, 0, {}, {}});
 }
 
 std::optional<std::size_t> Ladder::needed() const {
@@ -38,10 +38,11 @@ void Ladder::begin(std::size_t rung, Ticket ticket) {
   rungs_[rung].ticket = ticket;
 }
 
-std::vector<Ticket> Ladder::end(std::size_t rung, Resolution resolution) {
+std::vector<Ticket> Ladder::end(std::size_t rung, Resolution resolution, Doer doer) {
   const bool solves = resolution.solved || resolution.improves();
   rungs_[rung].stage = solves ? Stage::kSolved : Stage::kFailed;
   rungs_[rung].resolution = std::move(resolution);
+  rungs_[rung].doer = std::move(doer);
   std::vector<Ticket> moot;
   for (std::size_t above = rung + 1; solves && above < rungs_.size(); ++above) {
     if (const auto ticket = this->ticket(above)) moot.push_back(*ticket);
@@ -60,6 +61,15 @@ std::optional<Resolution> Ladder::likely() const {
   const bool is_about_to_fail = rungs_.size() > 1 && failed + 1 == std::ssize(rungs_);
   if (is_about_to_fail || is_decided()) return Resolution{};
   return std::nullopt;
+}
+
+std::vector<Ladder::Climbed> Ladder::climbed() const {
+  std::vector<Climbed> out;
+  for (const Rung& rung : rungs_) {
+    out.push_back({rung.solvers, rung.resolution, rung.doer});
+    if (rung.stage == Stage::kSolved) break;
+  }
+  return out;
 }
 
 Resolution Ladder::take() {

@@ -42,7 +42,7 @@ class Ladder {
   void put_off(std::size_t rung) { rungs_[rung].stage = Stage::kPutOff; }
   // How the attempt at a rung that was under way has ended. Returns those under way that need not
   // be: above a rung that has solved it.
-  std::vector<Ticket> end(std::size_t rung, Resolution resolution);
+  std::vector<Ticket> end(std::size_t rung, Resolution resolution, Doer doer = {});
 
   bool is_decided() const { return !needed(); }
   // What it will be, as far as can be told: the resolution of the lowest rung that has solved it,
@@ -52,6 +52,15 @@ class Ladder {
   // Requires: is_decided().
   Resolution take();
 
+  // What led to the resolution: the rungs below the one that has solved it, and that one. For the
+  // log, before take(). Requires: is_decided().
+  struct Climbed {
+    const std::vector<std::string>& solvers;
+    const Resolution& resolution;
+    const Doer& doer;
+  };
+  std::vector<Climbed> climbed() const;
+
  private:
   enum class Stage { kOpen, kPutOff, kBegun, kFailed, kSolved };
   struct Rung {
@@ -59,6 +68,7 @@ class Ladder {
     Stage stage = Stage::kOpen;
     Ticket ticket = 0;  // of one that was begun
     Resolution resolution;
+    Doer doer;
   };
 
   std::shared_ptr<const Subproblem> subproblem_;

@@ -48,6 +48,7 @@ Outcome Method::plan() {
 std::optional<Outcome> Method::plan_initial_paths() {
   const Stopwatch watch;
   const std::size_t robots = schedule_.size();
+  const std::uint64_t before = workforce_.asked();
   std::vector<Resolution> found(robots);
   // In slices, so that progress can be told and a stop is heard.
   constexpr std::size_t kSlice = 64;
@@ -67,7 +68,8 @@ std::optional<Outcome> Method::plan_initial_paths() {
     if (!found[id].solved) return no_way_alone(scene(), {id});
     statistics_.lower_bound += found[id].end;
     if (found[id].roadmap_level >= 0) factory_.use_roadmap({id}, found[id].roadmap_level);
-    schedule_.set_initial({id}, std::move(found[id].paths[0]), std::move(found[id].solver));
+    schedule_.set_initial({id}, std::move(found[id].paths[0]), std::move(found[id].solver),
+                          before + id + 1);
   }
   statistics_.initial_time = watch.seconds();
   return std::nullopt;

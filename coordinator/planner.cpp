@@ -10,6 +10,7 @@
 #include "common/geometry/tolerances.h"
 #include "common/planning/method_names.h"
 #include "common/planning/verifier.h"
+#include "common/runtime/log.h"
 #include "coordinator/arc.h"
 #include "coordinator/foreman.h"
 #include "coordinator/watchdog.h"
@@ -42,6 +43,22 @@ std::vector<PlanSegment> segments(const Scene& scene,
     out.push_back(std::move(named));
   }
   return out;
+}
+
+// A line for each segment of the plan, as it has it: what it came of. For who goes back from a plan
+// to the tasks that made it.
+void log_segments(const Scene& scene, const Schedule& schedule) {
+  if (!logs(LogLevel::kDebug)) return;
+  for (std::uint32_t id = 0; id < scene.robots.size(); ++id) {
+    for (const CouplingSegment& segment : schedule.coupling({id})) {
+      log(LogLevel::kDebug, "segment of the plan",
+          {{"robot", scene.robot({id}).name},
+           {"from", segment.from},
+           {"to", segment.to},
+           {"solver", segment.solver},
+           {"subproblem", segment.subproblem}});
+    }
+  }
 }
 
 void fill_robots(const Scene& scene, const Schedule& schedule, Plan& plan) {
@@ -127,6 +144,7 @@ Plan plan_with(const CrewFactory& make_crew, const std::shared_ptr<const Scene>&
   fill_statistics(method->statistics(), plan);
   if (plan.status == PlanStatus::kSolved) {
     fill_robots(*scene, method->schedule(), plan);
+    log_segments(*scene, method->schedule());
     if (report) {
       const PlanningStatistics& done = method->statistics();
       report({Progress::Phase::kProof, scene->robots.size(), done.conflicts_found,

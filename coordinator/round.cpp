@@ -89,7 +89,7 @@ std::vector<Job> Round::choose(const std::vector<const Subproblem*>& pending) co
     if (behind) continue;
     const Growth growth = adaptation_.growth_of(conflict, board_);
     if (std::ranges::any_of(growth.taken_in, [&](RobotId r) { return chosen.uses(r); })) continue;
-    Job job{conflict, factory_.create(conflict, growth, schedule_, board_), {}, {}};
+    Job job{conflict, factory_.create(conflict, growth, schedule_, board_), {}, {}, 0};
     if (chosen.clashes_with(job.subproblem)) continue;
     chosen.add(job.subproblem);
     jobs.push_back(std::move(job));
@@ -114,7 +114,7 @@ Round::Settled Round::settle(const Job& job) {
 
 // UpdateSolution: splices the local paths in, and looks for conflicts where paths have changed.
 void Round::commit(const Job& job) {
-  if (!schedule_.commit(job.subproblem, job.resolution)) {
+  if (!schedule_.commit(job.subproblem, job.resolution, job.number)) {
     throw std::logic_error(job.resolution.solver + " returned paths that do not fit their window");
   }
   std::vector<RobotId> changed;

@@ -24,6 +24,7 @@ struct Job {
   Subproblem subproblem;
   Resolution resolution;
   std::vector<RobotId> in_the_way;  // of an exhausted one: outsiders to take in
+  std::uint64_t number = 0;         // Workforce::asked() when it was asked for
 
   bool is_exhausted() const { return !resolution.solved && !resolution.improves(); }
   // Exhausted for outsiders: what is in the way is to be found out.

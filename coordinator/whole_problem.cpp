@@ -18,7 +18,7 @@ Outcome WholeProblem::resolve(ConflictBoard& board) {
     return stop_ ? stopped(scene(), board)
                  : unresolved(scene(), *board.conflicts().begin(), subproblem);
   }
-  if (!schedule_.commit(subproblem, resolution)) {
+  if (!schedule_.commit(subproblem, resolution, workforce_.asked())) {
     throw std::logic_error(resolution.solver + " returned paths that do not fit the problem");
   }
   ++statistics_.solved_by[resolution.solver];

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -29,6 +30,10 @@ class Workforce {
   virtual std::vector<Resolution> solve(const std::vector<Subproblem>& subproblems,
                                         const std::atomic<bool>& stop,
                                         const Foresight& foresight) = 0;
+
+  // How many it has been asked for so far, by which logs number them, from 1: the same request asks
+  // for the same ones in the same order. 0: it does not count.
+  virtual std::uint64_t asked() const { return 0; }
 };
 
 }  // namespace accord

@@ -14,7 +14,8 @@ void copy_clipped(const std::vector<CouplingSegment>& segments, double from, dou
                   double shift, std::vector<CouplingSegment>& out) {
   for (const CouplingSegment& segment : segments) {
     const double begin = std::max(segment.from, from), end = std::min(segment.to, to);
-    if (begin < end) out.push_back({begin + shift, end + shift, segment.robots, segment.solver});
+    if (begin >= end) continue;
+    out.push_back({begin + shift, end + shift, segment.robots, segment.solver, segment.subproblem});
   }
 }
 
@@ -35,14 +36,16 @@ void close_gaps(double end, std::vector<CouplingSegment>& coupling) {
 Schedule::Schedule(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)), entries_(scene_->robots.size()) {}
 
-void Schedule::set_initial(RobotId robot, Trajectory path, std::string solver) {
+void Schedule::set_initial(RobotId robot, Trajectory path, std::string solver,
+                           std::uint64_t number) {
   Entry& entry = entries_[robot.index()];
-  entry.coupling = {{0, path.end_time(), {robot}, std::move(solver)}};
+  entry.coupling = {{0, path.end_time(), {robot}, std::move(solver), number}};
   entry.path = std::move(path);
   ++entry.version;
 }
 
-bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution) {
+bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution,
+                      std::uint64_t number) {
   if (form_fault(*scene_, subproblem, resolution)) return false;
   for (const Task& task : subproblem.tasks) {
     if (version(task.robot) != task.version) return false;
@@ -62,7 +65,7 @@ bool Schedule::commit(const Subproblem& subproblem, const Resolution& resolution
     std::vector<CouplingSegment> coupling;
     copy_clipped(entry.coupling, 0, subproblem.from, 0, coupling);
     if (coupling.empty() && subproblem.from > 0) coupling.push_back(entry.coupling.front());
-    coupling.push_back({subproblem.from, arrival, robots, resolution.solver});
+    coupling.push_back({subproblem.from, arrival, robots, resolution.solver, number});
     copy_clipped(entry.coupling, task.to, std::numeric_limits<double>::infinity(),
                  arrival - task.to, coupling);
     splice(entry, subproblem, task, resolution.paths[i]);

@@ -21,6 +21,7 @@ struct CouplingSegment {
   double to;
   std::vector<RobotId> robots;  // sorted
   std::string solver;
+  std::uint64_t subproblem = 0;  // the caller's number for what it came of; 0: it has none
 };
 
 class Schedule {
@@ -28,7 +29,7 @@ class Schedule {
   explicit Schedule(std::shared_ptr<const Scene> scene);
 
   // Sets a robot's first path, planned alone from time 0. (Alg. 1, lines 2 to 5)
-  void set_initial(RobotId robot, Trajectory path, std::string solver);
+  void set_initial(RobotId robot, Trajectory path, std::string solver, std::uint64_t number = 0);
 
   std::size_t size() const { return entries_.size(); }
   const Trajectory& path(RobotId robot) const { return entries_[robot.index()].path; }
@@ -43,7 +44,9 @@ class Schedule {
   // leave the window together; that makes everyone wait for the slowest, and what a robot meets on
   // its tail is found by the next scan either way.)
   // False, and nothing changes, when a version differs or the resolution has a form_fault().
-  [[nodiscard]] bool commit(const Subproblem& subproblem, const Resolution& resolution);
+  // `number`: CouplingSegment::subproblem, of what is new.
+  [[nodiscard]] bool commit(const Subproblem& subproblem, const Resolution& resolution,
+                            std::uint64_t number = 0);
 
  private:
   struct Entry {

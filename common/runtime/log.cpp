@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "common/runtime/log_formats.h"
 
@@ -40,7 +41,10 @@ void start_log(const std::string& process, const LogOptions& options) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-LogScope::LogScope(std::initializer_list<LogField> fields) : fields_(fields), outer_(innermost) {
+LogScope::LogScope(std::initializer_list<LogField> fields)
+    : LogScope(std::vector<LogField>(fields)) {}
+
+LogScope::LogScope(std::vector<LogField> fields) : fields_(std::move(fields)), outer_(innermost) {
   innermost = this;
 }
 
@@ -48,9 +52,17 @@ LogScope::~LogScope() {
   innermost = outer_;
 }
 
+bool logs(LogLevel level) {
+  return spdlog::should_log(level_of(level));
+}
+
 void log(LogLevel level, std::string_view message, std::initializer_list<LogField> fields) {
-  if (!spdlog::should_log(level_of(level))) return;
-  const LogScope scope(fields);
+  if (logs(level)) log(level, message, std::vector<LogField>(fields));
+}
+
+void log(LogLevel level, std::string_view message, std::vector<LogField> fields) {
+  if (!logs(level)) return;
+  const LogScope scope(std::move(fields));
   spdlog::log(level_of(level), spdlog::string_view_t(message.data(), message.size()));
 }
 

@@ -69,6 +69,7 @@ struct LogField {
 class LogScope {
  public:
   LogScope(std::initializer_list<LogField> fields);
+  explicit LogScope(std::vector<LogField> fields);
   ~LogScope();
   LogScope(const LogScope&) = delete;
   LogScope& operator=(const LogScope&) = delete;
@@ -79,8 +80,12 @@ class LogScope {
   const LogScope* outer_;
 };
 
+// Whether lines of this level are written. Requires: it is not kOff.
+bool logs(LogLevel level);
+
 // One line with fields of its own. Requires: level is not kOff.
 void log(LogLevel level, std::string_view message, std::initializer_list<LogField> fields);
+void log(LogLevel level, std::string_view message, std::vector<LogField> fields);
 
 // The fields of this thread's scopes, from the outermost on, each key once. For formatters.
 std::vector<const LogField*> present_log_fields();

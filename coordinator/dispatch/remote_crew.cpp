@@ -8,7 +8,10 @@
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
 #include "common/model/roadmap_places.h"
+#include "common/planning/levels.h"
 #include "common/planning/resolution_check.h"
+#include "common/runtime/log.h"
+#include "common/transport/task_name.h"
 #include "coordinator/dispatch/roadmap_partners.h"
 #include "coordinator/dispatch/worker_scene.h"
 
@@ -22,13 +25,15 @@ constexpr double kLeastWeight = 1e-3;
 }  // namespace
 
 RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
-                       AttemptTally* tally)
+                       std::string request, AttemptTally* tally)
     : port_(std::move(port)),
       world_(world),
+      request_(std::move(request)),
       tally_(tally),
       scene_(std::make_shared<const Bytes>(encode_scene(scene_for_workers(world.scene())))),
       places_(roadmap_places(world.scene())) {
   RequestWork work;
+  work.name = request_;
   work.partners = roadmap_partners(world, places_);
   work.scene = hash_of(*scene_);
   work.scene_bytes = scene_;
@@ -40,7 +45,7 @@ void RemoteCrew::begin(std::vector<Attempt> attempts) {
   for (Attempt& attempt : attempts) {
     const TaskId id = port_->next_id();
     const double weight = std::max(kLeastWeight, kWeightPerSecond * attempt.seconds);
-    Bytes hierarchy = encode_hierarchy(attempt.solvers);
+    Bytes hierarchy = encode_hierarchy(attempt.solvers, request_);
     tasks.push_back({id, hierarchy, encode_subproblem(*attempt.subproblem), weight,
                      attempt.is_ahead, places_of(*attempt.subproblem)});
     tasks_.emplace(attempt.ticket, id);
@@ -103,6 +108,7 @@ std::vector<Attempted> RemoteCrew::wait(const std::atomic<bool>& stop) {
 std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderWay& task) {
   Attempted out;
   out.ticket = task.ticket;
+  out.doer = {task_name(finished.task), to_string(finished.worker), 0};
   out.seconds = finished.seconds;
   const auto fail = [&](const std::string& why) {
     out.failure = std::make_exception_ptr(
@@ -113,6 +119,8 @@ std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderW
   auto resolution = decode_resolution(finished.resolution, world_.scene(), *task.subproblem);
   if (const auto fault = fault_of(*task.subproblem, resolution)) {
     const std::string why = "its resolution does not hold: " + *fault;
+    log(LogLevel::kWarning, why,
+        {{"request", request_}, {"task", out.doer.task}, {"worker", out.doer.worker}});
     // Two that say the same are no liars: the solvers are wrong.
     if (task.refused == finished.resolution) {
       port_->accept(finished.task);
@@ -123,9 +131,21 @@ std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderW
     return std::nullopt;
   }
   port_->accept(finished.task);
+  log_ended(finished, *resolution);
   if (tally_ != nullptr) tally_->count(tried_levels(*task.subproblem, task.solvers, *resolution));
   out.resolution = std::move(*resolution);
   return out;
+}
+
+void RemoteCrew::log_ended(const FinishedTask& finished, const Resolution& resolution) const {
+  if (!logs(LogLevel::kDebug)) return;
+  log(LogLevel::kDebug, "task ended",
+      {{"request", request_},
+       {"task", task_name(finished.task)},
+       {"worker", to_string(finished.worker)},
+       {"outcome", to_string(outcome_of(resolution))},
+       {"solver", resolution.solver},
+       {"seconds", finished.seconds}});
 }
 
 std::optional<std::string> RemoteCrew::fault_of(

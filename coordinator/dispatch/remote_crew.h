@@ -36,8 +36,9 @@ class TaskFailure : public std::runtime_error {
 class RemoteCrew final : public Crew {
  public:
   // For one request, in the world's scene. The world and the tally, where attempts are counted if
-  // it is not null, must outlive this. Requires: the world's margin is kDetectionMargin.
-  RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
+  // it is not null, must outlive this. `request`: its id, for logs, at workers too; empty: it is
+  // not told. Requires: the world's margin is kDetectionMargin.
+  RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world, std::string request = "",
              AttemptTally* tally = nullptr);
 
   void begin(std::vector<Attempt> attempts) override;
@@ -58,6 +59,7 @@ class RemoteCrew final : public Crew {
   };
 
   // nullopt: what came back does not hold, and is asked for again.
+  void log_ended(const FinishedTask& finished, const Resolution& resolution) const;
   std::optional<Attempted> answer(const FinishedTask& finished, UnderWay& task);
   std::optional<std::string> fault_of(
       const Subproblem& subproblem, const tl::expected<Resolution, std::string>& resolution) const;
@@ -66,6 +68,7 @@ class RemoteCrew final : public Crew {
 
   std::unique_ptr<TaskPort> port_;
   const CollisionWorld& world_;
+  std::string request_;
   AttemptTally* tally_;
   std::shared_ptr<const Bytes> scene_;  // as it is sent
   std::vector<RoadmapPlace> places_;    // by robot

@@ -145,6 +145,15 @@ void TaskBoard::finish(TaskId id, FinishedTask::How how, Bytes resolution, Endpo
   requests_.at(task.request).waiting.erase(id);
   finished_.push_back({task.request, id, how, std::move(resolution), 0, worker, std::move(text)});
   --unfinished_;
+  if (how != FinishedTask::How::kDone) {
+    tell({BoardNote::Kind::kGivenUp,
+          worker,
+          nullptr,
+          name_of(task),
+          TaskKey{id, task.epoch},
+          {},
+          finished_.back().text});
+  }
   switch (how) {
     case FinishedTask::How::kDone:
       ++counters_.done;
@@ -186,7 +195,7 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
     if (const auto* results = std::get_if<ResultBatch>(message)) {
       for (const ResultItem& item : results->results) on_result(event.peer, worker, item);
     } else if (const auto* heartbeat = std::get_if<Heartbeat>(message)) {
-      on_heartbeat(worker, *heartbeat, now);
+      on_heartbeat(event.peer, worker, *heartbeat, now);
     } else if (const auto* request = std::get_if<SceneRequest>(message)) {
       on_scene_request(worker, *request);
     }
@@ -202,7 +211,7 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
 void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultItem& item) {
   const TaskId id = item.key.task;
   if (!worker.tasks.contains(id) || tasks_.at(id).epoch != item.key.epoch) {
-    count_dropped(worker, item.key);
+    count_dropped(sender, worker, item.key);
     return;
   }
   drop_from(worker, id);
@@ -220,7 +229,7 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
       finished_.back().seconds = item.seconds;
       return;
     case ResultItem::Outcome::kHandedBack:
-      take_back(id, Reassigned::kHandedBack, false, "it was handed back: " + item.text);
+      take_back(id, sender, Reassigned::kHandedBack, false, "it was handed back: " + item.text);
       return;
     case ResultItem::Outcome::kRefused:
       task.refused_by.insert(sender);
@@ -228,28 +237,34 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
       if (task.refused_by.size() >= kRefusals) {
         finish(id, FinishedTask::How::kRefused, {}, sender, item.text);
       } else {
-        take_back(id, Reassigned::kRefused, false, item.text);
+        take_back(id, sender, Reassigned::kRefused, false, item.text);
       }
       return;
     case ResultItem::Outcome::kFailed:
       task.refused_by.insert(sender);
-      take_back(id, Reassigned::kFailed, true, "a worker failed: " + item.text);
+      take_back(id, sender, Reassigned::kFailed, true, "a worker failed: " + item.text);
       return;
   }
 }
 
 // A result that no task of this worker waits for.
-void TaskBoard::count_dropped(const WorkerRecord& worker, const TaskKey& key) {
-  if (worker.answered.has(key)) {
-    ++counters_.duplicate;
-  } else if (worker.revoked.has(key)) {
-    ++counters_.moot;
-  } else {
-    ++counters_.late;
-  }
+void TaskBoard::count_dropped(EndpointId id, const WorkerRecord& worker, const TaskKey& key) {
+  const bool is_duplicate = worker.answered.has(key), is_moot = worker.revoked.has(key);
+  ++(is_duplicate ? counters_.duplicate : is_moot ? counters_.moot : counters_.late);
+  const auto found = tasks_.find(key.task);
+  tell({BoardNote::Kind::kDropped,
+        id,
+        nullptr,
+        found == tasks_.end() ? "" : name_of(found->second),
+        key,
+        {},
+        is_duplicate ? "it had come already"
+        : is_moot    ? "nobody needs it any more"
+                     : "late"});
 }
 
-void TaskBoard::take_back(TaskId id, Reassigned reason, bool is_to_blame, const std::string& why) {
+void TaskBoard::take_back(TaskId id, EndpointId worker, Reassigned reason, bool is_to_blame,
+                          const std::string& why) {
   Task& task = tasks_.at(id);
   ++task.epoch;
   task.sent.reset();
@@ -264,6 +279,8 @@ void TaskBoard::take_back(TaskId id, Reassigned reason, bool is_to_blame, const 
     return;
   }
   ++counters_.reassigned_since(reason);
+  tell({BoardNote::Kind::kReassigned, worker, nullptr, name_of(task), TaskKey{id, task.epoch - 1},
+        reason, why});
   requests_.at(task.request).waiting.insert(id);
 }
 
@@ -275,6 +292,7 @@ void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
     }
     found->second.standing = WorkerRecord::Standing::kDistrusted;
     found->second.why = why;
+    tell({BoardNote::Kind::kDistrusted, finished.worker, &found->second, {}, {}, {}, why});
     Command refuse;
     refuse.kind = Command::Kind::kRefuse;
     refuse.text = why.substr(0, kTextBytes);
@@ -284,7 +302,7 @@ void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
   if (!tasks_.contains(finished.task)) return;  // the request has ended
   ++unfinished_;
   tasks_.at(finished.task).refused_by.insert(finished.worker);
-  take_back(finished.task, Reassigned::kDistrusted, false, why);
+  take_back(finished.task, finished.worker, Reassigned::kDistrusted, false, why);
 }
 
 TaskBoard::Load TaskBoard::load(Time now) const {

@@ -22,14 +22,18 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/transport/bus.h"
 #include "coordinator/dispatch/board_counters.h"
+#include "coordinator/dispatch/board_note.h"
 #include "coordinator/dispatch/task.h"
 #include "coordinator/dispatch/warm_roadmaps.h"
 #include "coordinator/dispatch/worker_record.h"
@@ -62,6 +66,10 @@ class TaskBoard {
   };
 
   explicit TaskBoard(const Settings& settings) : settings_(settings) {}
+
+  // Hears of what happens, as it happens. Must not call the board.
+  using Listener = std::function<void(const BoardNote&)>;
+  void set_listener(Listener listener) { listener_ = std::move(listener); }
 
   // ---- Work ----
 
@@ -131,15 +139,18 @@ class TaskBoard {
   };
 
   void on_announcement(EndpointId id, const Announcement& announcement, Time now);
+  void tell_standing(EndpointId id, const WorkerRecord& worker) const;
   void on_result(EndpointId id, WorkerRecord& worker, const ResultItem& item);
-  void on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, Time now);
+  void on_heartbeat(EndpointId id, WorkerRecord& worker, const Heartbeat& heartbeat, Time now);
   void count_busy(WorkerRecord& worker, const Heartbeat& heartbeat, Time now);
   void on_scene_request(WorkerRecord& worker, const SceneRequest& request);
   enum class GivenUp : std::uint8_t { kGone, kSilent, kDistrusted };
+  void count_lost(EndpointId id, const WorkerRecord& worker, GivenUp reason);
   void give_up(EndpointId id, GivenUp reason, const std::string& why);
   // Back among those that wait, under a new epoch, if it has not died too often.
-  void take_back(TaskId id, Reassigned reason, bool is_to_blame, const std::string& why);
-  void count_dropped(const WorkerRecord& worker, const TaskKey& key);
+  void take_back(TaskId id, EndpointId worker, Reassigned reason, bool is_to_blame,
+                 const std::string& why);
+  void count_dropped(EndpointId id, const WorkerRecord& worker, const TaskKey& key);
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);
@@ -159,7 +170,13 @@ class TaskBoard {
   bool nobody_takes(const Task& task) const;
   std::size_t fair_share(std::size_t waiting) const;
 
+  void tell(const BoardNote& note) const {
+    if (listener_) listener_(note);
+  }
+  std::string_view name_of(const Task& task) const { return requests_.at(task.request).work.name; }
+
   Settings settings_;
+  Listener listener_;
   Counters counters_;
   std::map<TaskId, Task> tasks_;  // and finished ones that are not accepted yet
   std::size_t unfinished_ = 0;

@@ -153,6 +153,8 @@ void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead, Ti
       request.waiting.erase(waiting[next]);
       batch.tasks.push_back({{waiting[next], task.epoch}, task.subproblem});
       ++counters_.assigned;
+      tell({BoardNote::Kind::kAssigned, worker->first, nullptr, request.work.name,
+            TaskKey{waiting[next], task.epoch}});
       counters_.waited.add(seconds(now - *std::exchange(task.waits_since, std::nullopt)));
       if (!task.is_suspect) continue;
       record.is_alone_with_suspect = true;

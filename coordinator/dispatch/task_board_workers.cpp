@@ -9,6 +9,7 @@ namespace accord {
 void TaskBoard::on_announcement(EndpointId id, const Announcement& announcement, Time now) {
   const auto [found, is_new] = workers_.try_emplace(id);
   WorkerRecord& worker = found->second;
+  const WorkerRecord::Standing before = worker.standing;
   worker.info = announcement;
   worker.heard = now;
   if (announcement.leaving && worker.standing == WorkerRecord::Standing::kWelcome) {
@@ -31,12 +32,24 @@ void TaskBoard::on_announcement(EndpointId id, const Announcement& announcement,
   if (is_refused) answer.text = worker.why;
   worker.outbox.emplace_back(std::move(answer));
   worker.greeted = now;
+  if (is_new || worker.standing != before) tell_standing(id, worker);
   may_assign_ = true;
+}
+
+void TaskBoard::tell_standing(EndpointId id, const WorkerRecord& worker) const {
+  BoardNote note{BoardNote::Kind::kWelcomed, id, &worker};
+  if (worker.standing == WorkerRecord::Standing::kLeaving) note.kind = BoardNote::Kind::kLeaving;
+  if (worker.standing == WorkerRecord::Standing::kRefused) {
+    note.kind = BoardNote::Kind::kRefused;
+    note.text = worker.why;
+  }
+  tell(note);
 }
 
 // A worker names all that it has in hand. What it has been sent, and does not name time and again,
 // has not reached it, or its result has not come back.
-void TaskBoard::on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, Time now) {
+void TaskBoard::on_heartbeat(EndpointId worker_id, WorkerRecord& worker, const Heartbeat& heartbeat,
+                             Time now) {
   constexpr unsigned kUnheard = 3;
   count_busy(worker, heartbeat, now);
   std::set<TaskId> named;
@@ -57,7 +70,7 @@ void TaskBoard::on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, T
   }
   for (const TaskId id : lost) {
     drop_from(worker, id);
-    take_back(id, Reassigned::kUnheard, false, "it got lost on its way");
+    take_back(id, worker_id, Reassigned::kUnheard, false, "it got lost on its way");
   }
 }
 
@@ -82,14 +95,29 @@ void TaskBoard::on_scene_request(WorkerRecord& worker, const SceneRequest& reque
   }
 }
 
+// Whoever takes no more tasks and has none is not missed.
+void TaskBoard::count_lost(EndpointId id, const WorkerRecord& worker, GivenUp reason) {
+  using Kind = BoardNote::Kind;
+  const std::string had = std::to_string(worker.tasks.size()) + " tasks go to others";
+  if (worker.standing != WorkerRecord::Standing::kWelcome && worker.tasks.empty()) {
+    ++counters_.workers_left;
+    tell({Kind::kLeft, id, &worker});
+  } else if (reason == GivenUp::kSilent) {
+    ++counters_.workers_silent;
+    tell({Kind::kSilent, id, &worker, {}, {}, {}, had});
+  } else {
+    ++counters_.workers_gone;
+    tell({Kind::kGone, id, &worker, {}, {}, {}, had});
+  }
+}
+
 // Its tasks are others' now. Of those it may have died of, the ones that it had begun.
 void TaskBoard::give_up(EndpointId id, GivenUp reason, const std::string& why) {
   const auto found = workers_.find(id);
   if (found == workers_.end()) return;
   WorkerRecord& worker = found->second;
   const bool is_lost = reason != GivenUp::kDistrusted;
-  const bool is_missed =
-      worker.standing == WorkerRecord::Standing::kWelcome || !worker.tasks.empty();
+  if (is_lost) count_lost(id, worker, reason);
   std::set<TaskId> begun = std::exchange(worker.begun, {});
   const std::set<TaskId> tasks = std::exchange(worker.tasks, {});
   worker.ahead.clear();
@@ -107,13 +135,10 @@ void TaskBoard::give_up(EndpointId id, GivenUp reason, const std::string& why) {
   for (const TaskId task : tasks) {
     const bool had_begun = is_lost && begun.contains(task);
     if (had_begun) tasks_.at(task).is_suspect = true;
-    take_back(task, is_lost ? Reassigned::kWorkerLost : Reassigned::kDistrusted,
+    take_back(task, id, is_lost ? Reassigned::kWorkerLost : Reassigned::kDistrusted,
               had_begun && (begun.size() == 1 || tasks_.at(task).is_ahead), trouble);
   }
   if (!is_lost) return;
-  ++(!is_missed                   ? counters_.workers_left
-     : reason == GivenUp::kSilent ? counters_.workers_silent
-                                  : counters_.workers_gone);
   warm_.forget(id);
   workers_.erase(found);
 }

@@ -5,6 +5,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "coordinator/service/service_log.h"
+
 namespace accord {
 namespace {
 
@@ -32,7 +34,9 @@ CoordinatorLoop::CoordinatorLoop(const Settings& settings, Bus& bus, FleetServic
       desk_(settings.desk),
       status_(settings.version, settings.host),
       mailbox_([&bus] { bus.wake(); }),
-      threads_(settings.planning, mailbox_, [&bus] { bus.wake(); }) {}
+      threads_(settings.planning, mailbox_, [&bus] { bus.wake(); }) {
+  board_.set_listener(log_note);
+}
 
 RequestDesk::Now CoordinatorLoop::now() const {
   const auto wall = std::chrono::system_clock::now().time_since_epoch();
@@ -96,7 +100,10 @@ void CoordinatorLoop::turn() {
 }
 
 void CoordinatorLoop::take_requests(RequestDesk::Now time) {
-  while (auto request = fleet_.take()) desk_.on_request(std::move(*request), time);
+  while (auto request = fleet_.take()) {
+    log_request(*request);
+    desk_.on_request(std::move(*request), time);
+  }
 }
 
 void CoordinatorLoop::take_outcomes(RequestDesk::Now time) {
@@ -108,9 +115,7 @@ void CoordinatorLoop::take_outcomes(RequestDesk::Now time) {
                        desk_.on_progress(advanced.id, advanced.progress, time);
                      },
                      [&](PlanningThreads::Planned& planned) {
-                       spdlog::info("request {}: {}{}{}", planned.id,
-                                    to_string(planned.plan.status),
-                                    planned.plan.message.empty() ? "" : ": ", planned.plan.message);
+                       log_planned(planned);
                        desk_.on_planned(planned.id, std::move(planned.plan),
                                         std::move(planned.json), time);
                      }},
@@ -119,6 +124,9 @@ void CoordinatorLoop::take_outcomes(RequestDesk::Now time) {
   while (auto outcome = journal_thread_->take()) {
     std::visit(Match{[&](JournalThread::Accepted& accepted) {
                        desk_.on_accepted(accepted.ids, accepted.fault, time);
+                       for (const std::string& id : accepted.ids) {
+                         if (accepted.fault.empty()) log_accepted(id);
+                       }
                      },
                      [&](JournalThread::Stored& stored) {
                        desk_.on_stored(stored.ids, stored.fault, time);
@@ -136,12 +144,14 @@ void CoordinatorLoop::act() {
     std::visit(
         Match{[&](RequestDesk::Read& read) { threads_.start_reading(std::move(read.request)); },
               [&](RequestDesk::Begin& begin) {
-                spdlog::info("request {}: planning begins", begin.id);
-                threads_.start_planning(
-                    {std::move(begin.id), std::move(begin.scene), std::move(begin.options)});
+                threads_.start_planning({std::move(begin.id), std::move(begin.scene),
+                                         std::move(begin.options), begin.content});
               },
               [&](RequestDesk::Stop& stop) { threads_.stop_planning(stop.id); },
-              [&](RequestDesk::Publish& publish) { fleet_.publish(publish.news); },
+              [&](RequestDesk::Publish& publish) {
+                log_news(publish.news);
+                fleet_.publish(publish.news);
+              },
               [&](auto& write) { journal_thread_->start(std::move(write)); }},
         *action);
   }

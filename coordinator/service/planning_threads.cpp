@@ -8,6 +8,8 @@
 #include <spdlog/spdlog.h>
 
 #include "common/io/plan_file.h"
+#include "common/runtime/log.h"
+#include "common/transport/task_name.h"
 #include "coordinator/dispatch/remote_crew.h"
 #include "coordinator/service/quarantine.h"
 
@@ -130,6 +132,7 @@ void PlanningThreads::plan() {
       running = std::move(to_plan_.front());
       to_plan_.pop_front();
     }
+    const LogScope of_request({{"request", running.job.id}});
     Planned planned{running.job.id, {}, {}};
     try {
       planned.plan = plan(running);
@@ -142,12 +145,24 @@ void PlanningThreads::plan() {
     } catch (const std::bad_alloc&) {
       planned.plan = failed(running.job, "the service has not enough memory");
     } catch (const std::exception& bug) {
-      spdlog::error("request {}: internal error: {}", running.job.id, bug.what());
+      spdlog::error("internal error: {}", bug.what());
       planned.plan = failed(running.job, std::string("internal error: ") + bug.what());
     }
     planned.json = to_json(planned.plan);
     report(std::move(planned));
   }
+}
+
+void PlanningThreads::log_begin(const Job& job, RequestId request) {
+  const std::string tasks = task_name(request << 32U);
+  log(LogLevel::kInfo, "planning begins",
+      {{"content", to_string(job.content)},
+       {"scene", job.scene->name},
+       {"robots", job.scene->robots.size()},
+       {"method", job.options.method},
+       {"seed", job.options.seed},
+       // What all its tasks' names begin with.
+       {"tasks", tasks.substr(0, tasks.rfind('-'))}});
 }
 
 Plan PlanningThreads::plan(const Running& running) {
@@ -157,8 +172,9 @@ Plan PlanningThreads::plan(const Running& running) {
     request = next_request_++;
   }
   const Job& job = running.job;
+  log_begin(job, request);
   const CrewFactory of_workers = [&](const CollisionWorld&, const CollisionWorld& detection) {
-    return std::make_unique<RemoteCrew>(mailbox_.open_port(request), detection, &attempts_);
+    return std::make_unique<RemoteCrew>(mailbox_.open_port(request), detection, job.id, &attempts_);
   };
   return plan_with(
       of_workers, job.scene, job.options,

@@ -51,6 +51,7 @@ class PlanningThreads {
     std::string id;
     std::shared_ptr<const Scene> scene;
     PlanOptions options;
+    SceneHash content = {};  // of what was asked, for the log
   };
   // Reads a request's scene and checks all that it says.
   void start_reading(PlanRequest request);
@@ -87,6 +88,7 @@ class PlanningThreads {
   Read read(PlanRequest request) const;
   void plan();
   Plan plan(const Running& running);
+  static void log_begin(const Job& job, RequestId request);
   void report(Outcome outcome);
 
   Settings settings_;

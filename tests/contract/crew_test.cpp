@@ -58,7 +58,7 @@ class InProcessWorker {
   InProcessWorker(SimulatedNetwork& network, unsigned threads)
       : bus_(network.join(Role::kWorker)),
         desk_(settings(threads)),
-        threads_(shelf_, threads, [] {}) {}
+        threads_(shelf_, to_string(bus_->self()), threads, [] {}) {}
 
   void turn(Time now) {
     while (const auto event = bus_->take()) desk_.on_event(*event, now);

@@ -712,5 +712,47 @@ TEST(TaskBoard, LosesNothingInAThousandClustersThatSuffer) {
   }
 }
 
+TEST(TaskBoard, TellsWhoListensWhatBecomesOfTasksAndWorkers) {
+  using Kind = BoardNote::Kind;
+  struct Told {
+    Kind kind;
+    EndpointId worker;
+    std::string request;
+    std::uint64_t task;
+    std::uint32_t epoch;
+    bool operator==(const Told&) const = default;
+  };
+  std::vector<Told> told;
+  TaskBoard board{TaskBoard::Settings{}};
+  board.set_listener([&](const BoardNote& note) {
+    const TaskKey key = note.task.value_or(TaskKey{});
+    told.push_back({note.kind, note.worker, std::string(note.request), key.task, key.epoch});
+  });
+  const auto send_all = [&] {
+    while (const auto out = board.next_outgoing(Time(0))) {
+      board.on_published(out->to, Published::kSent, Time(0));
+    }
+  };
+  const EndpointId first{1}, second{2};
+  Announcement announcement;
+  announcement.threads = 1;
+  announcement.task_bytes = 100;
+  board.on_event({first, Message(announcement)}, Time(0));
+  board.on_event({first, Message(announcement)}, Time(0));  // says it again
+  RequestWork work;
+  work.request = 1;
+  work.name = "depot-7";
+  board.add(std::move(work), {{5, {}, payload_of(5), 1}});
+  send_all();
+  board.on_event({first, PeerLost{}}, Time(0));
+  announcement.protocol = kProtocol + 1;
+  board.on_event({second, Message(announcement)}, Time(0));
+  EXPECT_EQ(told, (std::vector<Told>{{Kind::kWelcomed, first, "", 0, 0},
+                                     {Kind::kAssigned, first, "depot-7", 5, 0},
+                                     {Kind::kGone, first, "", 0, 0},
+                                     {Kind::kReassigned, first, "depot-7", 5, 0},
+                                     {Kind::kRefused, second, "", 0, 0}}));
+}
+
 }  // namespace
 }  // namespace accord

@@ -3,10 +3,14 @@
 #include <exception>
 #include <utility>
 
+#include "common/runtime/log.h"
+#include "common/transport/task_name.h"
+
 namespace accord {
 
-JobThreads::JobThreads(SceneShelf& shelf, unsigned threads, std::function<void()> wake)
-    : shelf_(shelf), wake_(std::move(wake)) {
+JobThreads::JobThreads(SceneShelf& shelf, std::string worker, unsigned threads,
+                       std::function<void()> wake)
+    : shelf_(shelf), worker_(std::move(worker)), wake_(std::move(wake)) {
   for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
 }
 
@@ -53,6 +57,7 @@ std::optional<JobThreads::Outcome> JobThreads::take() {
 }
 
 void JobThreads::serve() {
+  const LogScope of_worker({{"worker", worker_}});
   std::unique_lock lock(mutex_);
   while (true) {
     has_work_.wait(lock, [this] { return quit_ || !work_.empty(); });
@@ -72,13 +77,9 @@ void JobThreads::serve() {
 
 JobThreads::Outcome JobThreads::carry_out(Work& work) {
   if (auto* running = std::get_if<Running>(&work)) {
-    SceneShelf::Solved solved;
-    try {
-      solved = shelf_.solve(running->job, *running->stop);
-    } catch (const std::exception& error) {
-      solved.result.outcome = ResultItem::Outcome::kFailed;
-      solved.result.text = error.what();
-    }
+    const TaskKey& key = running->job.key;
+    const LogScope of_task({{"task", task_name(key.task)}, {"epoch", key.epoch}});
+    SceneShelf::Solved solved = shelf_.solve(running->job, *running->stop);
     return Ended{std::move(running->job), std::move(solved.result), std::move(solved.levels)};
   }
   const auto& scene = std::get<TaskDesk::Scene>(work);

@@ -33,8 +33,9 @@ class JobThreads {
   };
   using Outcome = std::variant<Ended, SceneOutcome>;
 
-  // `wake` is called, from any thread, when there is an outcome. Requires: threads > 0.
-  JobThreads(SceneShelf& shelf, unsigned threads, std::function<void()> wake);
+  // `wake` is called, from any thread, when there is an outcome. `worker`: this one's name, for the
+  // log. Requires: threads > 0.
+  JobThreads(SceneShelf& shelf, std::string worker, unsigned threads, std::function<void()> wake);
   // Stops what runs and waits for it.
   ~JobThreads();
   JobThreads(const JobThreads&) = delete;
@@ -57,6 +58,7 @@ class JobThreads {
   Outcome carry_out(Work& work);
 
   SceneShelf& shelf_;
+  std::string worker_;
   std::function<void()> wake_;
   std::mutex mutex_;
   std::condition_variable has_work_;

@@ -7,11 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
 #include "common/geometry/collision_world.h"
 #include "common/geometry/tolerances.h"
 #include "common/io/wire/resolution_codec.h"
 #include "common/io/wire/scene_codec.h"
 #include "common/io/wire/subproblem_codec.h"
+#include "common/runtime/log.h"
 #include "worker/solver.h"
 #include "worker/worker.h"
 
@@ -23,6 +27,42 @@ SceneShelf::Solved trouble(ResultItem::Outcome outcome, std::string text) {
   out.result.outcome = outcome;
   out.result.text = std::move(text);
   return out;
+}
+
+// None where the coordinator has not told.
+std::vector<LogField> fields_of(const std::string& request) {
+  if (request.empty()) return {};
+  return {{"request", request}};
+}
+
+void log_begin(const Subproblem& subproblem, const std::vector<std::string>& solvers) {
+  if (!logs(LogLevel::kDebug)) return;
+  log(LogLevel::kDebug, "task begins",
+      {{"robots", subproblem.tasks.size()},
+       {"solvers", fmt::format("{}", fmt::join(solvers, ","))}});
+}
+
+// What was stopped nobody needs; what could not be done is for people to look at.
+void log_ended(const SceneShelf::Solved& solved) {
+  const ResultItem& result = solved.result;
+  switch (result.outcome) {
+    case ResultItem::Outcome::kDone:
+      if (!logs(LogLevel::kDebug) || solved.levels.empty()) return;
+      log(LogLevel::kDebug, "task done",
+          {{"outcome", to_string(solved.levels.back().outcome)},
+           {"solver", solved.levels.back().solver},
+           {"seconds", result.seconds}});
+      return;
+    case ResultItem::Outcome::kHandedBack:
+      log(LogLevel::kDebug, "task handed back: " + result.text, {});
+      return;
+    case ResultItem::Outcome::kRefused:
+      log(LogLevel::kWarning, "task refused: " + result.text, {});
+      return;
+    case ResultItem::Outcome::kFailed:
+      log(LogLevel::kError, "task failed: " + result.text, {});
+      return;
+  }
 }
 
 }  // namespace
@@ -62,29 +102,48 @@ std::shared_ptr<const SceneShelf::Ready> SceneShelf::find(const SceneHash& hash)
 
 SceneShelf::Solved SceneShelf::solve(const TaskDesk::Job& job,
                                      const std::atomic<bool>& stop) const {
+  Solved solved;
+  std::string request;
+  try {
+    const auto hierarchy = decode_hierarchy(job.hierarchy);
+    if (hierarchy) {
+      request = hierarchy->request;
+      const LogScope of_request(fields_of(request));
+      solved = solve(job, hierarchy->solvers, stop);
+    } else {
+      solved = trouble(ResultItem::Outcome::kRefused, "hierarchy: " + hierarchy.error());
+    }
+  } catch (const std::bad_alloc&) {
+    solved = trouble(ResultItem::Outcome::kFailed, "not enough memory");
+  } catch (const std::exception& error) {
+    solved = trouble(ResultItem::Outcome::kFailed, error.what());
+  }
+  const LogScope of_request(fields_of(request));
+  log_ended(solved);
+  return solved;
+}
+
+SceneShelf::Solved SceneShelf::solve(const TaskDesk::Job& job,
+                                     const std::vector<std::string>& solvers,
+                                     const std::atomic<bool>& stop) const {
   const auto ready = find(job.scene);
   if (!ready) return trouble(ResultItem::Outcome::kHandedBack, "the scene is not here any more");
-  const auto solvers = decode_hierarchy(job.hierarchy);
-  if (!solvers) return trouble(ResultItem::Outcome::kRefused, "hierarchy: " + solvers.error());
   const auto is_unknown = [](const std::string& name) { return make_solver(name) == nullptr; };
-  const auto unknown = std::ranges::find_if(*solvers, is_unknown);
-  if (unknown != solvers->end()) {
+  const auto unknown = std::ranges::find_if(solvers, is_unknown);
+  if (unknown != solvers.end()) {
     return trouble(ResultItem::Outcome::kRefused, "hierarchy: no solver \"" + *unknown + "\"");
   }
   const auto subproblem = decode_subproblem(job.subproblem, *ready->scene);
   if (!subproblem) {
     return trouble(ResultItem::Outcome::kRefused, "subproblem: " + subproblem.error());
   }
+  log_begin(*subproblem, solvers);
   const auto begin = std::chrono::steady_clock::now();
   Solved out;
-  try {
-    const Resolution resolution = ready->worker.solve(*subproblem, *solvers, stop);
-    out.levels = tried_levels(*subproblem, *solvers, resolution);
-    out.result.resolution = encode_resolution(resolution);
-  } catch (const std::bad_alloc&) {
-    return trouble(ResultItem::Outcome::kFailed, "not enough memory");
-  }
+  const Resolution resolution = ready->worker.solve(*subproblem, solvers, stop);
   if (stop) return trouble(ResultItem::Outcome::kHandedBack, "stopped");
+  out.levels = tried_levels(*subproblem, solvers, resolution);
+  out.result.resolution = encode_resolution(resolution);
   out.result.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;

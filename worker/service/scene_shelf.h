@@ -32,12 +32,14 @@ class SceneShelf {
         levels;  // how it went at each that was tried; none where it is not done
   };
   // Solves a job in its scene, which must be there. What comes back depends on the job alone,
-  // unless `stop` becomes true.
+  // unless `stop` becomes true. Tells the log, as the request's that it is of. Nothing throws.
   Solved solve(const TaskDesk::Job& job, const std::atomic<bool>& stop) const;
 
  private:
   struct Ready;
 
+  Solved solve(const TaskDesk::Job& job, const std::vector<std::string>& solvers,
+               const std::atomic<bool>& stop) const;
   std::shared_ptr<const Ready> find(const SceneHash& hash) const;
 
   mutable std::mutex mutex_;

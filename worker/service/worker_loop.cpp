@@ -21,7 +21,7 @@ WorkerLoop::WorkerLoop(Bus& bus, const TaskDesk::Settings& settings, WorkerTally
     : bus_(bus),
       tally_(tally),
       desk_(settings),
-      threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {
+      threads_(shelf_, to_string(bus.self()), settings.info.threads, [&bus] { bus.wake(); }) {
   tally_.note_new_bus();
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "accord.pb.h"
+#include "common/io/request_names.h"
 #include "common/io/wire/payload_scan.h"
 #include "common/io/wire/trajectory_parts.h"
 #include "common/planning/region.h"
@@ -240,23 +241,29 @@ tl::expected<Subproblem, std::string> decode_subproblem(BytesView bytes, const S
   return out;
 }
 
-Bytes encode_hierarchy(const std::vector<std::string>& solvers) {
+Bytes encode_hierarchy(const std::vector<std::string>& solvers, const std::string& request) {
   payload::Hierarchy out;
   for (const std::string& solver : solvers) out.add_solvers(solver);
+  out.set_request(request);
   return serialize_payload(out);
 }
 
-tl::expected<std::vector<std::string>, std::string> decode_hierarchy(BytesView bytes) {
+tl::expected<Hierarchy, std::string> decode_hierarchy(BytesView bytes) {
   payload::Hierarchy message;
-  const ScanLimits limits{limits::kSolvers * (limits::kSolverNameBytes + 8), limits::kSolvers};
+  const ScanLimits limits{
+      limits::kSolvers * (limits::kSolverNameBytes + 8) + limits::kRequestIdBytes + 8,
+      limits::kSolvers + 1};
   if (auto fault = parse_payload(bytes, "a hierarchy", limits, message)) {
     return tl::unexpected(std::move(*fault));
   }
   Inspector inspector;
-  std::vector<std::string> out(message.solvers().begin(), message.solvers().end());
-  inspector.count(out.size(), 1, limits::kSolvers, "names", PayloadPath("solvers"));
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    inspector.name(out[i], PayloadPath("solvers", i), limits::kSolverNameBytes);
+  Hierarchy out{{message.solvers().begin(), message.solvers().end()}, message.request()};
+  inspector.count(out.solvers.size(), 1, limits::kSolvers, "names", PayloadPath("solvers"));
+  for (std::size_t i = 0; i < out.solvers.size(); ++i) {
+    inspector.name(out.solvers[i], PayloadPath("solvers", i), limits::kSolverNameBytes);
+  }
+  if (!out.request.empty() && !is_request_id(out.request)) {
+    inspector.fail(PayloadPath("request"), "expected " + std::string(kRequestIdInWords));
   }
   if (inspector.fault()) return tl::unexpected(*inspector.fault());
   return out;

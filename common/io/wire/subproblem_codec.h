@@ -23,9 +23,14 @@ Bytes encode_subproblem(const Subproblem& subproblem);
 // is for the solvers to find out.
 tl::expected<Subproblem, std::string> decode_subproblem(BytesView bytes, const Scene& scene);
 
-// Names of solvers, in order. Whether they exist is for make_solver() to say.
+// What the tasks of one batch have in common beside their scene.
+struct Hierarchy {
+  std::vector<std::string> solvers;  // names, in order; whether they exist is for make_solver()
+  std::string request;               // whose tasks they are, for logs; empty: not told
+};
+
 // Requires: as decode_hierarchy() asks for.
-Bytes encode_hierarchy(const std::vector<std::string>& solvers);
-tl::expected<std::vector<std::string>, std::string> decode_hierarchy(BytesView bytes);
+Bytes encode_hierarchy(const std::vector<std::string>& solvers, const std::string& request = "");
+tl::expected<Hierarchy, std::string> decode_hierarchy(BytesView bytes);
 
 }  // namespace accord

@@ -66,12 +66,12 @@ tl::expected<RecordedTask, std::string> decode_task_record(BytesView bytes) {
   out.why = message.why();
   auto scene = decode_scene(view(message.scene()));
   if (!scene) return fault_in("scene", scene.error());
-  auto solvers = decode_hierarchy(view(message.hierarchy()));
-  if (!solvers) return fault_in("hierarchy", solvers.error());
+  auto hierarchy = decode_hierarchy(view(message.hierarchy()));
+  if (!hierarchy) return fault_in("hierarchy", hierarchy.error());
   auto subproblem = decode_subproblem(view(message.subproblem()), **scene);
   if (!subproblem) return fault_in("subproblem", subproblem.error());
   out.scene = std::move(*scene);
-  out.solvers = std::move(*solvers);
+  out.solvers = std::move(hierarchy->solvers);
   out.subproblem = std::move(*subproblem);
   return out;
 }

@@ -307,5 +307,18 @@ TEST_F(ForemanTest, LeavesThingsUnsolvedWhenItIsStopped) {
   EXPECT_TRUE(crew_->under_way.empty());
 }
 
+TEST_F(ForemanTest, NumbersWhatItIsAskedForInItsOrder) {
+  outcome_ = [](const Attempt& attempt) {
+    Attempted out;
+    out.resolution.solved = true;
+    out.resolution.solver = attempt.solvers.front();
+    return out;
+  };
+  solve(4, {team(1), team(2)});
+  EXPECT_EQ(foreman_->asked(), 2U);
+  foreman_->solve({team(3)}, stop_, foresight_);
+  EXPECT_EQ(foreman_->asked(), 3U) << "whatever was begun ahead";
+}
+
 }  // namespace
 }  // namespace accord

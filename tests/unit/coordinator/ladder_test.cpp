@@ -104,5 +104,19 @@ TEST(Ladder, WithoutRungsIsExhaustedAtOnce) {
   EXPECT_FALSE(ladder.take().solved);
 }
 
+TEST(Ladder, TellsWhoseAttemptsLedToTheResolution) {
+  Ladder ladder = three();
+  for (std::size_t rung = 0; rung < 3; ++rung) ladder.begin(rung, rung + 1);
+  ladder.end(2, solved("c", 1), {"1-3", "third", 3});
+  ladder.end(0, failed(1), {"1-1", "first", 1});
+  ladder.end(1, solved("b", 1), {"1-2", "second", 2});
+  const auto climbed = ladder.climbed();
+  ASSERT_EQ(climbed.size(), 2U) << "what the third has done was not needed";
+  EXPECT_EQ(climbed[0].doer.worker, "first");
+  EXPECT_FALSE(climbed[0].resolution.solved);
+  EXPECT_EQ(climbed[1].doer.task, "1-2");
+  EXPECT_EQ(climbed[1].resolution.solver, "b");
+}
+
 }  // namespace
 }  // namespace accord

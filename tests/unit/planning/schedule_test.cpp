@@ -63,6 +63,17 @@ TEST_F(ScheduleTest, SplicesLocalPathsInAndGoesOnAlongTheTailsAtOnce) {
   EXPECT_EQ(schedule_.path(kSecond), path({{0, {10, 0}}, {3, {7, 0}}, {7, {3, 0}}, {10, {0, 0}}}));
 }
 
+TEST_F(ScheduleTest, KnowsWhichSubproblemEachStretchCameOfThoughItIsDelayed) {
+  ASSERT_TRUE(schedule_.commit(window(), detour(), 7));
+  const auto& coupling = schedule_.coupling(kFirst);
+  ASSERT_EQ(coupling.size(), 3U);
+  EXPECT_EQ(coupling[0].subproblem, 0U);
+  EXPECT_EQ(coupling[1].subproblem, 7U);
+  EXPECT_EQ(coupling[2].subproblem, 0U);
+  schedule_.set_initial(kSecond, schedule_.path(kSecond), "straight", 2);
+  EXPECT_EQ(schedule_.coupling(kSecond).front().subproblem, 2U);
+}
+
 TEST_F(ScheduleTest, KeepsTheCouplingTimelineWithoutGaps) {
   ASSERT_TRUE(schedule_.commit(window(), detour()));
   const auto& coupling = schedule_.coupling(kFirst);

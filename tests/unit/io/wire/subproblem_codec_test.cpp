@@ -90,13 +90,28 @@ TEST(HierarchyCodec, KeepsNamesAndTheirOrder) {
   const std::vector<std::string> solvers{"prioritized-query", "composite-prm"};
   const auto decoded = decode_hierarchy(encode_hierarchy(solvers));
   ASSERT_TRUE(decoded) << decoded.error();
-  EXPECT_EQ(*decoded, solvers);
+  EXPECT_EQ(decoded->solvers, solvers);
+  EXPECT_EQ(decoded->request, "");
+  const auto labelled = decode_hierarchy(encode_hierarchy(solvers, "depot-7"));
+  ASSERT_TRUE(labelled) << labelled.error();
+  EXPECT_EQ(labelled->solvers, solvers);
+  EXPECT_EQ(labelled->request, "depot-7");
 }
 
 TEST(HierarchyCodec, RefusesNoneAndTooMany) {
   EXPECT_FALSE(decode_hierarchy({}));
   EXPECT_FALSE(decode_hierarchy(encode_hierarchy(std::vector<std::string>(17, "cbs-mp"))));
   EXPECT_FALSE(decode_hierarchy(encode_hierarchy({"line\nbreak"})));
+  EXPECT_TRUE(decode_hierarchy(
+      encode_hierarchy(std::vector<std::string>(16, "cbs-mp"), std::string(128, 'a'))));
+}
+
+// What it holds is written to a log.
+TEST(HierarchyCodec, RefusesARequestThatHasNoSuchId) {
+  const auto decoded = decode_hierarchy(encode_hierarchy({"cbs-mp"}, "line\nbreak"));
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error(), "request: expected 1 to 128 letters, digits, '-', '_', '.' and ':'");
+  EXPECT_FALSE(decode_hierarchy(encode_hierarchy({"cbs-mp"}, std::string(129, 'a'))));
 }
 
 }  // namespace
