@@ -24,7 +24,8 @@ constexpr const char* kFooter = R"(Exit codes:
      of that id
   4  no plan was found by a search that went as far as it goes, or the plan given is refuted
   5  time ran out, or the request was cancelled
-  6  no planning service answers, or it is not well)";
+  6  no planning service answers, or it is not well
+  7  accord doctor has found what stops data or plans)";
 
 // What to say of a word in the place of a command that is none; CLI11 would only say that a command
 // is missing.

@@ -14,6 +14,7 @@ void add_watch_command(CLI::App& app, ExitCode& exit_code);
 void add_cancel_command(CLI::App& app, ExitCode& exit_code);
 void add_workers_command(CLI::App& app, ExitCode& exit_code);
 void add_health_command(CLI::App& app, ExitCode& exit_code);
+void add_doctor_command(CLI::App& app, ExitCode& exit_code);
 void add_verify_command(CLI::App& app, ExitCode& exit_code);
 void add_info_command(CLI::App& app, ExitCode& exit_code);
 void add_render_command(CLI::App& app, ExitCode& exit_code);

@@ -11,6 +11,7 @@ enum class ExitCode : int {
   kInfeasible = 4,  // no plan where the search goes no further, or the plan given is refuted
   kTimeout = 5,     // time ran out, or the request was cancelled
   kNoService = 6,   // no planning service answers, or it is not well
+  kFault = 7,       // accord doctor has found what stops data or plans
 };
 
 }  // namespace accord

@@ -10,5 +10,6 @@ int main(int argc, char** argv) {
     add_cancel_command(app, exit_code);
     add_workers_command(app, exit_code);
     add_health_command(app, exit_code);
+    add_doctor_command(app, exit_code);
   });
 }

@@ -8,8 +8,8 @@ int main(int argc, char** argv) {
   using namespace accord;
   return run_application(argc, argv, [argv](CLI::App& app, ExitCode& exit_code) {
     add_plan_command(app, exit_code);
-    for (const ServiceCommand& command :
-         {kSubmitCommand, kWatchCommand, kCancelCommand, kWorkersCommand, kHealthCommand}) {
+    for (const ServiceCommand& command : {kSubmitCommand, kWatchCommand, kCancelCommand,
+                                          kWorkersCommand, kHealthCommand, kDoctorCommand}) {
       add_delegated_command(app, exit_code, command, argv);
     }
     add_verify_command(app, exit_code);

@@ -21,5 +21,7 @@ inline constexpr ServiceCommand kCancelCommand{
 inline constexpr ServiceCommand kHealthCommand{
     "health", "Ask a service's process on this machine whether it is well"};
 inline constexpr ServiceCommand kWorkersCommand{"workers", "List the workers of a service"};
+inline constexpr ServiceCommand kDoctorCommand{
+    "doctor", "Find out why processes see each other, or do not, and no data flows"};
 
 }  // namespace accord

@@ -3,15 +3,9 @@
 #include "common/transport/dds_settings.h"
 
 namespace accord {
-namespace {
 
-// A client sends little: less than a service, and less than containers have.
-constexpr std::size_t kSegmentBytes = std::size_t{16} << 20;
-
-}  // namespace
-
-ServiceOptions::ServiceOptions() {
-  dds_.segment_bytes = kSegmentBytes;
+ServiceOptions::ServiceOptions(std::size_t segment_bytes) {
+  dds_.segment_bytes = segment_bytes;
   add_dds_settings(table_, dds_);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 
 #include "client/setting_flags.h"
 #include "common/runtime/settings.h"
@@ -10,9 +11,12 @@
 
 namespace accord {
 
+// A client sends little: less than a service, and less than containers have.
+inline constexpr std::size_t kClientSegmentBytes = std::size_t{16} << 20;
+
 class ServiceOptions {
  public:
-  ServiceOptions();
+  explicit ServiceOptions(std::size_t segment_bytes = kClientSegmentBytes);
   ServiceOptions(const ServiceOptions&) = delete;
   ServiceOptions& operator=(const ServiceOptions&) = delete;
 

@@ -40,6 +40,19 @@ void Metrics::Histogram::observe(double value) {
   static_cast<prometheus::Histogram*>(metric_)->Observe(value);
 }
 
+void Metrics::Histogram::raise_to(const std::vector<std::uint64_t>& counts, double sum) {
+  auto* histogram = static_cast<prometheus::Histogram*>(metric_);
+  const prometheus::ClientMetric::Histogram now = histogram->Collect().histogram;
+  std::vector<double> missing;
+  std::uint64_t below = 0;  // buckets there count what is in those below them, too
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::uint64_t there = now.bucket.at(i).cumulative_count - below;
+    below += there;
+    missing.push_back(counts[i] > there ? static_cast<double>(counts[i] - there) : 0);
+  }
+  histogram->ObserveMultiple(missing, sum - now.sample_sum);
+}
+
 Metrics::Metrics() : registry_(std::make_unique<Registry>()) {}
 Metrics::~Metrics() = default;
 

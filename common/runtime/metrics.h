@@ -4,6 +4,7 @@
 // Thread safe. Handles are cheap to copy and to use; they must not outlive the Metrics they are of.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -44,6 +45,10 @@ class Metrics {
   class Histogram {
    public:
     void observe(double value);
+    // For counts that are kept elsewhere: by bucket, one more than there are bounds, and the sum of
+    // what was observed. Buckets that have fewer than before are left out. From one thread at a
+    // time.
+    void raise_to(const std::vector<std::uint64_t>& counts, double sum);
 
    private:
     friend class Metrics;

@@ -16,7 +16,7 @@ Published Bus::publish(EndpointId to, const Message& message) {
   if (!to_all && !is_present(to)) return Published::kNoPeer;
   const Published outcome = do_publish(to, message);
   if (outcome == Published::kSent) {
-    BusCounters::Kind& kind = counters_.kinds[message.index()];
+    Traffic& kind = counters_.kinds[message.index()];
     ++kind.sent;
     kind.sent_bytes += wire_bytes(message);
   }
@@ -55,7 +55,7 @@ std::optional<BusEvent> Bus::next_event() {
       ++counters_.malformed;
       continue;
     }
-    BusCounters::Kind& kind = counters_.kinds[message->index()];
+    Traffic& kind = counters_.kinds[message->index()];
     ++kind.received;
     kind.received_bytes += wire_bytes(*message);
     return event;

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -24,6 +25,7 @@
 
 #include "common/transport/endpoint_id.h"
 #include "common/transport/messages.h"
+#include "common/transport/traffic.h"
 
 namespace accord {
 
@@ -47,19 +49,22 @@ struct BusEvent {
 
 // Counted since the beginning; by Message's index().
 struct BusCounters {
-  struct Kind {
-    std::uint64_t sent = 0;
-    std::uint64_t sent_bytes = 0;
-    std::uint64_t received = 0;
-    std::uint64_t received_bytes = 0;
-  };
-  std::array<Kind, kMessageKinds> kinds;
+  std::array<Traffic, kMessageKinds> kinds;
   std::uint64_t full = 0;       // times that publish() returned kFull
   std::uint64_t malformed = 0;  // received, beyond a limit: dropped
   std::uint64_t early = 0;      // received from peers that were not present, too many to hold back:
                                 // dropped
   std::uint64_t foreign = 0;    // received, not meant for this endpoint or not from whom it claims
                                 // to be: dropped
+
+  BusCounters& operator+=(const BusCounters& other) {
+    for (std::size_t kind = 0; kind < kMessageKinds; ++kind) kinds[kind] += other.kinds[kind];
+    full += other.full;
+    malformed += other.malformed;
+    early += other.early;
+    foreign += other.foreign;
+    return *this;
+  }
 };
 
 class Bus {

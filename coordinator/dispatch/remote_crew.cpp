@@ -21,9 +21,11 @@ constexpr double kLeastWeight = 1e-3;
 
 }  // namespace
 
-RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world)
+RemoteCrew::RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
+                       AttemptTally* tally)
     : port_(std::move(port)),
       world_(world),
+      tally_(tally),
       scene_(std::make_shared<const Bytes>(encode_scene(scene_for_workers(world.scene())))),
       places_(roadmap_places(world.scene())) {
   RequestWork work;
@@ -42,8 +44,11 @@ void RemoteCrew::begin(std::vector<Attempt> attempts) {
     tasks.push_back({id, hierarchy, encode_subproblem(*attempt.subproblem), weight,
                      attempt.is_ahead, places_of(*attempt.subproblem)});
     tasks_.emplace(attempt.ticket, id);
-    under_way_.emplace(
-        id, UnderWay{attempt.ticket, std::move(attempt.subproblem), std::move(hierarchy), {}});
+    under_way_.emplace(id, UnderWay{attempt.ticket,
+                                    std::move(attempt.subproblem),
+                                    std::move(attempt.solvers),
+                                    std::move(hierarchy),
+                                    {}});
   }
   port_->add(std::move(tasks));
 }
@@ -118,6 +123,7 @@ std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderW
     return std::nullopt;
   }
   port_->accept(finished.task);
+  if (tally_ != nullptr) tally_->count(tried_levels(*task.subproblem, task.solvers, *resolution));
   out.resolution = std::move(*resolution);
   return out;
 }

@@ -13,6 +13,7 @@
 
 #include "common/geometry/collision_world.h"
 #include "common/io/wire/task_record.h"
+#include "common/planning/attempt_tally.h"
 #include "coordinator/crew.h"
 #include "coordinator/dispatch/task_port.h"
 
@@ -34,9 +35,10 @@ class TaskFailure : public std::runtime_error {
 
 class RemoteCrew final : public Crew {
  public:
-  // For one request, in the world's scene. The world must outlive this.
-  // Requires: its margin is kDetectionMargin.
-  RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world);
+  // For one request, in the world's scene. The world and the tally, where attempts are counted if
+  // it is not null, must outlive this. Requires: the world's margin is kDetectionMargin.
+  RemoteCrew(std::unique_ptr<TaskPort> port, const CollisionWorld& world,
+             AttemptTally* tally = nullptr);
 
   void begin(std::vector<Attempt> attempts) override;
   void hurry(const std::vector<Ticket>& tickets) override;
@@ -50,6 +52,7 @@ class RemoteCrew final : public Crew {
   struct UnderWay {
     Ticket ticket;
     std::shared_ptr<const Subproblem> subproblem;
+    std::vector<std::string> solvers;
     Bytes hierarchy;
     Bytes refused;  // what came back of it last and does not hold
   };
@@ -63,6 +66,7 @@ class RemoteCrew final : public Crew {
 
   std::unique_ptr<TaskPort> port_;
   const CollisionWorld& world_;
+  AttemptTally* tally_;
   std::shared_ptr<const Bytes> scene_;  // as it is sent
   std::vector<RoadmapPlace> places_;    // by robot
   std::map<TaskId, UnderWay> under_way_;

@@ -35,6 +35,7 @@ void TaskBoard::add(RequestId request, std::vector<NewTask> tasks) {
     requests_.at(request).waiting.insert(fresh.id);
   }
   unfinished_ += tasks.size();
+  counters_.added += tasks.size();
   may_assign_ = true;
 }
 
@@ -77,6 +78,7 @@ void TaskBoard::cancel(const std::vector<TaskId>& tasks) {
     if (found == tasks_.end()) continue;
     if (requests_.at(found->second.request).waiting.erase(id) > 0) {
       --unfinished_;
+      ++counters_.cancelled;
       tasks_.erase(found);
     } else if (drop_finished(id)) {
       tasks_.erase(found);
@@ -92,10 +94,12 @@ void TaskBoard::cancel(const std::vector<TaskId>& tasks) {
     }
     if (revoke.tasks.empty()) continue;
     for (const TaskKey& key : revoke.tasks) {
+      worker.revoked.add(key);
       drop_from(worker, key.task);
       tasks_.erase(key.task);
     }
     unfinished_ -= revoke.tasks.size();
+    counters_.cancelled += revoke.tasks.size();
     worker.outbox.emplace_back(std::move(revoke));
   }
   may_assign_ = true;
@@ -141,8 +145,17 @@ void TaskBoard::finish(TaskId id, FinishedTask::How how, Bytes resolution, Endpo
   requests_.at(task.request).waiting.erase(id);
   finished_.push_back({task.request, id, how, std::move(resolution), 0, worker, std::move(text)});
   --unfinished_;
-  ++counters_.finished;
-  if (how == FinishedTask::How::kQuarantined) ++counters_.quarantined;
+  switch (how) {
+    case FinishedTask::How::kDone:
+      ++counters_.done;
+      return;
+    case FinishedTask::How::kQuarantined:
+      ++counters_.quarantined;
+      return;
+    case FinishedTask::How::kRefused:
+      ++counters_.refused;
+      return;
+  }
 }
 
 void TaskBoard::drop_from(WorkerRecord& worker, TaskId id) {
@@ -163,7 +176,11 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
       return;
     }
     const auto found = workers_.find(event.peer);
-    if (found == workers_.end()) return;  // has not announced itself, or was given up
+    if (found == workers_.end()) {  // has not announced itself, or was given up
+      const auto* results = std::get_if<ResultBatch>(message);
+      if (results != nullptr) counters_.late += results->results.size();
+      return;
+    }
     WorkerRecord& worker = found->second;
     worker.heard = now;
     if (const auto* results = std::get_if<ResultBatch>(message)) {
@@ -175,7 +192,9 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
     }
     return;
   }
-  if (std::holds_alternative<PeerLost>(event.what)) give_up(event.peer, "was lost", true);
+  if (std::holds_alternative<PeerLost>(event.what)) {
+    give_up(event.peer, GivenUp::kGone, "was lost");
+  }
   const auto found = workers_.find(event.peer);
   if (found != workers_.end()) found->second.blocked_until = now;  // it can be reached
 }
@@ -183,10 +202,11 @@ void TaskBoard::on_event(const BusEvent& event, Time now) {
 void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultItem& item) {
   const TaskId id = item.key.task;
   if (!worker.tasks.contains(id) || tasks_.at(id).epoch != item.key.epoch) {
-    ++counters_.late;
+    count_dropped(worker, item.key);
     return;
   }
   drop_from(worker, id);
+  worker.answered.add(item.key);
   may_assign_ = true;
   Task& task = tasks_.at(id);
   switch (item.outcome) {
@@ -194,12 +214,13 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
       if (item.seconds > 0) {
         seconds_per_weight_ =
             kMemory * seconds_per_weight_ + (1 - kMemory) * item.seconds / task.weight;
+        counters_.solving_seconds += item.seconds;
       }
       finish(id, FinishedTask::How::kDone, item.resolution, sender, "");
       finished_.back().seconds = item.seconds;
       return;
     case ResultItem::Outcome::kHandedBack:
-      take_back(id, false, "it was handed back: " + item.text);
+      take_back(id, Reassigned::kHandedBack, false, "it was handed back: " + item.text);
       return;
     case ResultItem::Outcome::kRefused:
       task.refused_by.insert(sender);
@@ -207,20 +228,32 @@ void TaskBoard::on_result(EndpointId sender, WorkerRecord& worker, const ResultI
       if (task.refused_by.size() >= kRefusals) {
         finish(id, FinishedTask::How::kRefused, {}, sender, item.text);
       } else {
-        take_back(id, false, item.text);
+        take_back(id, Reassigned::kRefused, false, item.text);
       }
       return;
     case ResultItem::Outcome::kFailed:
       task.refused_by.insert(sender);
-      take_back(id, true, "a worker failed: " + item.text);
+      take_back(id, Reassigned::kFailed, true, "a worker failed: " + item.text);
       return;
   }
 }
 
-void TaskBoard::take_back(TaskId id, bool is_to_blame, const std::string& why) {
+// A result that no task of this worker waits for.
+void TaskBoard::count_dropped(const WorkerRecord& worker, const TaskKey& key) {
+  if (worker.answered.has(key)) {
+    ++counters_.duplicate;
+  } else if (worker.revoked.has(key)) {
+    ++counters_.moot;
+  } else {
+    ++counters_.late;
+  }
+}
+
+void TaskBoard::take_back(TaskId id, Reassigned reason, bool is_to_blame, const std::string& why) {
   Task& task = tasks_.at(id);
   ++task.epoch;
   task.sent.reset();
+  task.waits_since.reset();
   may_assign_ = true;
   if (is_to_blame) {
     ++task.deaths;
@@ -230,13 +263,16 @@ void TaskBoard::take_back(TaskId id, bool is_to_blame, const std::string& why) {
     finish(id, FinishedTask::How::kQuarantined, {}, {}, task.last_trouble);
     return;
   }
-  ++counters_.reassigned;
+  ++counters_.reassigned_since(reason);
   requests_.at(task.request).waiting.insert(id);
 }
 
 void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
   const auto found = workers_.find(finished.worker);
   if (found != workers_.end()) {
+    if (found->second.standing != WorkerRecord::Standing::kDistrusted) {
+      ++counters_.workers_distrusted;
+    }
     found->second.standing = WorkerRecord::Standing::kDistrusted;
     found->second.why = why;
     Command refuse;
@@ -244,10 +280,31 @@ void TaskBoard::reject(const FinishedTask& finished, const std::string& why) {
     refuse.text = why.substr(0, kTextBytes);
     found->second.outbox.emplace_back(std::move(refuse));
   }
-  give_up(finished.worker, why, false);
+  give_up(finished.worker, GivenUp::kDistrusted, why);
   if (!tasks_.contains(finished.task)) return;  // the request has ended
   ++unfinished_;
   tasks_.at(finished.task).refused_by.insert(finished.worker);
-  take_back(finished.task, false, why);
+  take_back(finished.task, Reassigned::kDistrusted, false, why);
+}
+
+TaskBoard::Load TaskBoard::load(Time now) const {
+  Load load;
+  for (const auto& [id, request] : requests_) {
+    load.waiting += request.waiting.size();
+    for (const TaskId waiting : request.waiting) {
+      const Task& task = tasks_.at(waiting);
+      if (task.waits_since && !task.is_ahead) {
+        load.oldest = std::max(load.oldest, now - *task.waits_since);
+      }
+    }
+  }
+  load.assigned = unfinished_ - load.waiting;
+  for (const auto& [id, worker] : workers_) {
+    ++load.workers[worker.standing];
+    if (worker.standing != WorkerRecord::Standing::kWelcome) continue;
+    load.threads += worker.info.threads;
+    if (worker.beat) load.busy += worker.info.threads - worker.idle_threads;
+  }
+  return load;
 }
 }  // namespace accord

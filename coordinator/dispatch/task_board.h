@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "common/transport/bus.h"
+#include "coordinator/dispatch/board_counters.h"
 #include "coordinator/dispatch/task.h"
 #include "coordinator/dispatch/warm_roadmaps.h"
 #include "coordinator/dispatch/worker_record.h"
@@ -49,15 +50,15 @@ class TaskBoard {
     std::size_t idle_scenes = 4;  // that workers keep, with their roadmaps, for requests to come
   };
 
-  struct Counters {
-    std::uint64_t assigned = 0;
-    std::uint64_t finished = 0;
-    std::uint64_t late = 0;        // results of former assignments
-    std::uint64_t reassigned = 0;  // after a worker was lost, left, failed or was distrusted
-    std::uint64_t quarantined = 0;
-    std::uint64_t put_off = 0;  // tasks ahead of need that made way
-    std::uint64_t workers_lost = 0;
-    std::uint64_t workers_refused = 0;
+  using Counters = BoardCounters;
+  // What it has in hand.
+  struct Load {
+    std::size_t waiting = 0;   // tasks
+    std::size_t assigned = 0;  // tasks
+    Time oldest{0};            // how long the oldest that is needed has waited
+    std::size_t threads = 0;   // of workers that get tasks
+    std::size_t busy = 0;      // of these, as their last heartbeats say
+    std::map<WorkerRecord::Standing, std::size_t> workers;
   };
 
   explicit TaskBoard(const Settings& settings) : settings_(settings) {}
@@ -105,6 +106,7 @@ class TaskBoard {
   const Counters& counters() const { return counters_; }
   const std::map<EndpointId, WorkerRecord>& workers() const { return workers_; }
   std::size_t unfinished() const { return unfinished_; }
+  Load load(Time now) const;
 
  private:
   struct Task {
@@ -116,9 +118,10 @@ class TaskBoard {
     std::vector<RoadmapPlace> places;
     double load = 0;  // s: what it was expected to take when it was assigned
     std::uint32_t epoch = 0;
-    std::optional<Time> sent;  // to whom it is assigned
-    bool is_suspect = false;   // a worker was lost that had begun it, and others
-    unsigned deaths = 0;       // of workers that had begun nothing else
+    std::optional<Time> waits_since;  // as far as it has been looked at
+    std::optional<Time> sent;         // to whom it is assigned
+    bool is_suspect = false;          // a worker was lost that had begun it, and others
+    unsigned deaths = 0;              // of workers that had begun nothing else
     std::set<EndpointId> refused_by;
     std::string last_trouble;
   };
@@ -130,17 +133,20 @@ class TaskBoard {
   void on_announcement(EndpointId id, const Announcement& announcement, Time now);
   void on_result(EndpointId id, WorkerRecord& worker, const ResultItem& item);
   void on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, Time now);
+  void count_busy(WorkerRecord& worker, const Heartbeat& heartbeat, Time now);
   void on_scene_request(WorkerRecord& worker, const SceneRequest& request);
-  void give_up(EndpointId id, const std::string& why, bool lost);
+  enum class GivenUp : std::uint8_t { kGone, kSilent, kDistrusted };
+  void give_up(EndpointId id, GivenUp reason, const std::string& why);
   // Back among those that wait, under a new epoch, if it has not died too often.
-  void take_back(TaskId id, bool is_to_blame, const std::string& why);
+  void take_back(TaskId id, Reassigned reason, bool is_to_blame, const std::string& why);
+  void count_dropped(const WorkerRecord& worker, const TaskKey& key);
   void finish(TaskId id, FinishedTask::How how, Bytes resolution, EndpointId worker,
               std::string text);
   void drop_from(WorkerRecord& worker, TaskId id);
   void forget(const SceneHash& scene);
   bool drop_finished(TaskId id);
-  void assign();
-  void assign(RequestId id, Request& request, bool is_ahead);
+  void assign(Time now);
+  void assign(RequestId id, Request& request, bool is_ahead, Time now);
   // Takes back tasks ahead of need that would keep needed ones waiting.
   void make_way(WorkerRecord& worker);
   using Worker = std::map<EndpointId, WorkerRecord>::iterator;

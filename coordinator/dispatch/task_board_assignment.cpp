@@ -94,20 +94,23 @@ std::size_t TaskBoard::fair_share(std::size_t waiting) const {
   return std::clamp<std::size_t>(waiting / std::max<std::size_t>(1, threads()), 1, kBatchItems);
 }
 
-void TaskBoard::assign() {
+void TaskBoard::assign(Time now) {
   if (!may_assign_) return;
   may_assign_ = false;
   for (const bool is_ahead : {false, true}) {
-    for (auto& [id, request] : requests_) assign(id, request, is_ahead);
+    for (auto& [id, request] : requests_) assign(id, request, is_ahead, now);
   }
 }
 
 // Suspects go first, then long tasks, short ones in batches. Those ahead of need in the order in
 // which they came, each for itself.
-void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
+void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead, Time now) {
   std::vector<TaskId> waiting;
   for (const TaskId id : request.waiting) {
-    if (tasks_.at(id).is_ahead == is_ahead) waiting.push_back(id);
+    Task& task = tasks_.at(id);
+    if (task.is_ahead != is_ahead) continue;
+    waiting.push_back(id);
+    if (!task.waits_since) task.waits_since = now;
   }
   if (!is_ahead) {
     std::ranges::stable_sort(waiting, std::greater{}, [&](TaskId id) {
@@ -150,6 +153,7 @@ void TaskBoard::assign(RequestId request_id, Request& request, bool is_ahead) {
       request.waiting.erase(waiting[next]);
       batch.tasks.push_back({{waiting[next], task.epoch}, task.subproblem});
       ++counters_.assigned;
+      counters_.waited.add(seconds(now - *std::exchange(task.waits_since, std::nullopt)));
       if (!task.is_suspect) continue;
       record.is_alone_with_suspect = true;
       ++next;
@@ -167,6 +171,7 @@ void TaskBoard::make_way(WorkerRecord& worker) {
     const TaskId id = *worker.ahead.rbegin();
     Task& task = tasks_.at(id);
     revoke.tasks.push_back({id, task.epoch});
+    worker.revoked.add(revoke.tasks.back());
     drop_from(worker, id);
     ++task.epoch;
     task.sent.reset();
@@ -177,7 +182,7 @@ void TaskBoard::make_way(WorkerRecord& worker) {
 }
 
 std::optional<TaskBoard::Outgoing> TaskBoard::next_outgoing(Time now) {
-  assign();
+  assign(now);
   if (workers_.empty()) return std::nullopt;
   // In turn, so that nobody's scene keeps others from their tasks.
   auto worker = last_sender_ ? workers_.upper_bound(*last_sender_) : workers_.begin();

@@ -38,6 +38,7 @@ void TaskBoard::on_announcement(EndpointId id, const Announcement& announcement,
 // has not reached it, or its result has not come back.
 void TaskBoard::on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, Time now) {
   constexpr unsigned kUnheard = 3;
+  count_busy(worker, heartbeat, now);
   std::set<TaskId> named;
   for (const TaskProgress& progress : heartbeat.tasks) {
     const TaskId id = progress.key.task;
@@ -56,8 +57,19 @@ void TaskBoard::on_heartbeat(WorkerRecord& worker, const Heartbeat& heartbeat, T
   }
   for (const TaskId id : lost) {
     drop_from(worker, id);
-    take_back(id, false, "it got lost on its way");
+    take_back(id, Reassigned::kUnheard, false, "it got lost on its way");
   }
+}
+
+// Each heartbeat speaks for the time since the last one.
+void TaskBoard::count_busy(WorkerRecord& worker, const Heartbeat& heartbeat, Time now) {
+  worker.idle_threads = std::min(heartbeat.idle_threads, worker.info.threads);
+  if (worker.beat) {
+    const double time = std::chrono::duration<double>(now - *worker.beat).count();
+    counters_.thread_seconds += time * worker.info.threads;
+    counters_.busy_seconds += time * (worker.info.threads - worker.idle_threads);
+  }
+  worker.beat = now;
 }
 
 void TaskBoard::on_scene_request(WorkerRecord& worker, const SceneRequest& request) {
@@ -71,10 +83,13 @@ void TaskBoard::on_scene_request(WorkerRecord& worker, const SceneRequest& reque
 }
 
 // Its tasks are others' now. Of those it may have died of, the ones that it had begun.
-void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
+void TaskBoard::give_up(EndpointId id, GivenUp reason, const std::string& why) {
   const auto found = workers_.find(id);
   if (found == workers_.end()) return;
   WorkerRecord& worker = found->second;
+  const bool is_lost = reason != GivenUp::kDistrusted;
+  const bool is_missed =
+      worker.standing == WorkerRecord::Standing::kWelcome || !worker.tasks.empty();
   std::set<TaskId> begun = std::exchange(worker.begun, {});
   const std::set<TaskId> tasks = std::exchange(worker.tasks, {});
   worker.ahead.clear();
@@ -92,10 +107,13 @@ void TaskBoard::give_up(EndpointId id, const std::string& why, bool is_lost) {
   for (const TaskId task : tasks) {
     const bool had_begun = is_lost && begun.contains(task);
     if (had_begun) tasks_.at(task).is_suspect = true;
-    take_back(task, had_begun && (begun.size() == 1 || tasks_.at(task).is_ahead), trouble);
+    take_back(task, is_lost ? Reassigned::kWorkerLost : Reassigned::kDistrusted,
+              had_begun && (begun.size() == 1 || tasks_.at(task).is_ahead), trouble);
   }
   if (!is_lost) return;
-  ++counters_.workers_lost;
+  ++(!is_missed                   ? counters_.workers_left
+     : reason == GivenUp::kSilent ? counters_.workers_silent
+                                  : counters_.workers_gone);
   warm_.forget(id);
   workers_.erase(found);
 }
@@ -110,7 +128,9 @@ void TaskBoard::on_time(Time now) {
       worker.greeted = now;
     }
   }
-  for (const EndpointId id : silent) give_up(id, "was silent for too long", true);
+  for (const EndpointId id : silent) {
+    give_up(id, GivenUp::kSilent, "was silent for too long");
+  }
 }
 
 std::optional<TaskBoard::Time> TaskBoard::next_deadline() const {

@@ -15,6 +15,7 @@
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
+#include "common/runtime/process_metrics.h"
 #include "common/transport/dds_bus.h"
 #include "common/transport/fleet/dds_fleet.h"
 #include "coordinator/journal/memory_journal.h"
@@ -25,9 +26,6 @@
 
 namespace accord {
 namespace {
-
-// The loop turns ten times a second, however much is being planned: that has its own threads.
-constexpr auto kHangs = std::chrono::seconds(10);
 
 tl::expected<std::unique_ptr<Journal>, std::string> open_journal(
     const CoordinatorSettings& settings) {
@@ -69,8 +67,7 @@ ProcessExit fail(const std::string& why) {
 }
 
 MetricsServer::Probes probes(const ServiceTally& tally) {
-  return {[&tally] { return tally.since_last_turn() < kHangs; },
-          [&tally] { return tally.is_ready(); }};
+  return {[&tally] { return tally.is_alive(); }, [&tally] { return tally.is_ready(); }};
 }
 
 ProcessExit serve(const CoordinatorSettings& settings) {
@@ -79,7 +76,8 @@ ProcessExit serve(const CoordinatorSettings& settings) {
   std::signal(SIGXFSZ, SIG_IGN);
   ServiceTally tally;
   Metrics metrics;
-  add_coordinator_metrics(metrics, tally);
+  add_process_metrics(metrics, ACCORD_VERSION);
+  add_coordinator_metrics(metrics, tally, settings.journal);
   const auto server = serve_metrics(settings.metrics, metrics, probes(tally));
   if (!server) return fail(server.error());
   const auto journal = open_journal(settings);

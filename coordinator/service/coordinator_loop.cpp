@@ -75,6 +75,7 @@ std::optional<std::string> CoordinatorLoop::restore() {
       record = bytes ? decode_record(*bytes) : tl::unexpected(bytes.error());
     }
     desk_.restore(entry, std::move(record), now());
+    tally_.note_turn();
   }
   return std::nullopt;
 }
@@ -88,7 +89,8 @@ void CoordinatorLoop::turn() {
   exchange_with_workers(time);
   if (status_.update(board_, desk_, time.steady)) {
     tally_.note({board_.counters(), desk_.counters(), bus_.counters(), fleet_.counters(),
-                 status_.service(), board_.unfinished()});
+                 status_.service(), board_.unfinished(), threads_.attempts(),
+                 board_.load(time.steady), desk_.load(time)});
   }
   while (auto news = status_.next()) fleet_.publish(*news);
 }

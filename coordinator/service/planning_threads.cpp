@@ -158,7 +158,7 @@ Plan PlanningThreads::plan(const Running& running) {
   }
   const Job& job = running.job;
   const CrewFactory of_workers = [&](const CollisionWorld&, const CollisionWorld& detection) {
-    return std::make_unique<RemoteCrew>(mailbox_.open_port(request), detection);
+    return std::make_unique<RemoteCrew>(mailbox_.open_port(request), detection, &attempts_);
   };
   return plan_with(
       of_workers, job.scene, job.options,

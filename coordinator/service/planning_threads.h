@@ -24,6 +24,7 @@
 #include "common/model/plan.h"
 #include "common/model/plan_request.h"
 #include "common/model/scene.h"
+#include "common/planning/attempt_tally.h"
 #include "coordinator/planner.h"
 #include "coordinator/service/mailbox.h"
 #include "coordinator/service/request_record.h"
@@ -73,6 +74,9 @@ class PlanningThreads {
   using Outcome = std::variant<Read, Advanced, Planned>;
   std::optional<Outcome> take();
 
+  // How attempts at subproblems have gone so far.
+  AttemptTally::Totals attempts() const { return attempts_.totals(); }
+
  private:
   struct Running {
     Job job;
@@ -88,6 +92,7 @@ class PlanningThreads {
   Settings settings_;
   Mailbox& mailbox_;
   std::function<void()> wake_;
+  AttemptTally attempts_;
   std::mutex mutex_;
   std::condition_variable has_work_;
   bool quit_ = false;

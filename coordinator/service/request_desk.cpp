@@ -81,7 +81,7 @@ std::optional<RequestReply> RequestDesk::refusal(const PlanRequest& request,
 
 void RequestDesk::reject(const std::string& id, Rejection reason, std::string field,
                          std::string text) {
-  ++counters_.rejected;
+  ++counters_.rejected[reason];
   publish(RequestReply{id, false, reason, std::move(field), std::move(text)});
 }
 
@@ -121,6 +121,7 @@ void RequestDesk::set_options(const PlanRequest& request, Request& entry) const 
 
 void RequestDesk::on_accepted(const std::vector<std::string>& ids, const std::string& fault,
                               Now now) {
+  count_write(fault);
   for (const std::string& id : ids) {
     const auto found = requests_.find(id);
     if (found == requests_.end()) continue;

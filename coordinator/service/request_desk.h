@@ -32,6 +32,7 @@
 #include "common/transport/fleet/fleet_messages.h"
 #include "coordinator/journal/journal.h"
 #include "coordinator/planner.h"
+#include "coordinator/service/desk_counters.h"
 #include "coordinator/service/request_record.h"
 
 namespace accord {
@@ -73,7 +74,7 @@ class RequestDesk {
   // What became of Recall: the plan, or why it cannot be had.
   void on_recalled(const std::string& id, tl::expected<Plan, std::string> plan);
   // Forget has failed: it is asked for again, later.
-  void on_not_forgotten() { is_forgetting_ = true; }
+  void on_not_forgotten();
   // At the end of each turn: hands what has gathered to the journal, all of it at once; begins what
   // can be begun.
   void settle(Now now);
@@ -97,6 +98,7 @@ class RequestDesk {
     std::string id;
     std::shared_ptr<const Scene> scene;
     PlanOptions options;
+    SceneHash content;  // of what was asked
   };
   struct Stop {  // plan it no more
     std::string id;
@@ -118,13 +120,20 @@ class RequestDesk {
   // When settle() has something to do, if nothing happens until then.
   std::optional<std::chrono::nanoseconds> next_deadline() const;
 
-  struct Counters {
-    std::uint64_t accepted = 0;
-    std::uint64_t rejected = 0;
-    std::uint64_t restored = 0;  // unfinished ones
-    std::map<PlanStatus, std::uint64_t> finished;
-  };
+  using Counters = DeskCounters;
   const Counters& counters() const { return counters_; }
+  // What it has in hand.
+  struct Load {
+    std::size_t reading = 0;  // requests that are read and checked, or not in the journal yet
+    std::size_t queued = 0;
+    std::size_t planning = 0;
+    std::size_t unwritten = 0;           // finished, but not in the journal as that
+    std::chrono::nanoseconds oldest{0};  // of those queued: since its acceptance
+    std::size_t kept = 0;                // finished plans in the journal
+    std::size_t bytes = 0;               // of what the requests in memory have brought
+    bool takes_writes = true;            // the journal, as far as its last write tells
+  };
+  Load load(Now now) const;
   std::size_t queued() const { return queue_.size(); }
   std::size_t planning() const { return planning_; }
   bool is_draining() const { return draining_; }
@@ -145,6 +154,7 @@ class RequestDesk {
     std::uint64_t order = 0;
     double accepted = 0;                // wall clock
     std::chrono::nanoseconds since{0};  // the same by the steady clock
+    std::chrono::nanoseconds begun{0};  // when its planning was begun
     RequestState state;
     Plan plan;  // once finished
     std::string json;
@@ -172,6 +182,9 @@ class RequestDesk {
            Now now);
   void finish(const std::string& id, Request& request, Now now);
   static void note_end(const Plan& plan, RequestState& state);
+  void count_progress(const RequestState& before, const RequestState& after);
+  void count_planned(const Plan& plan, const Request& request, Now now);
+  void count_write(const std::string& fault);
   void tell(const std::string& id, Request& request, Now now);
   void drop(Requests::iterator request);
   RequestState state_after(const std::string& id, const Plan& plan) const;
@@ -191,6 +204,7 @@ class RequestDesk {
   std::uint64_t next_order_ = 0;
   std::vector<std::string> to_finish_again_;
   std::optional<std::chrono::nanoseconds> retry_at_, forget_at_;
+  bool takes_writes_ = true;    // the journal has taken the last one
   bool is_forgetting_ = false;  // the journal still holds what is to be forgotten
   bool draining_ = false;
   std::deque<Action> actions_;

@@ -33,15 +33,6 @@ std::size_t waypoints_of(const Plan& plan) {
   return waypoints;
 }
 
-// By its planner; 0 where it has not come that far.
-std::uint64_t counted(const Plan& plan, std::string_view statistic) {
-  constexpr double kMost = 1e15;
-  const auto found =
-      std::ranges::find(plan.statistics, statistic, &std::pair<std::string, double>::first);
-  if (found == plan.statistics.end()) return 0;
-  return static_cast<std::uint64_t>(std::clamp(found->second, 0.0, kMost));
-}
-
 }  // namespace
 
 void RequestDesk::restore(const JournalEntry& entry,
@@ -114,8 +105,10 @@ void RequestDesk::begin_next(Now now) {
       request.options.timeout = left;
     }
     request.stage = Stage::kPlanning;
+    request.begun = now.steady;
+    counters_.queued.add(std::chrono::duration<double>(now.steady - request.since).count());
     ++planning_;
-    actions_.emplace_back(Begin{id, request.scene, request.options});
+    actions_.emplace_back(Begin{id, request.scene, request.options, request.content});
   }
 }
 
@@ -123,6 +116,7 @@ void RequestDesk::on_progress(const std::string& id, const Progress& progress, N
   const auto found = requests_.find(id);
   if (found == requests_.end() || found->second.stage != Stage::kPlanning) return;
   RequestState& state = found->second.state;
+  const RequestState before = state;
   state.phase = phase_of(progress.phase);
   state.robots_planned = static_cast<std::uint32_t>(progress.robots_planned);
   state.conflicts_found = std::max<std::uint64_t>(state.conflicts_found, progress.conflicts_found);
@@ -131,6 +125,7 @@ void RequestDesk::on_progress(const std::string& id, const Progress& progress, N
   state.rounds = std::max<std::uint64_t>(state.rounds, progress.rounds);
   state.per_cent = std::max(state.per_cent, per_cent(progress, state.robots));
   state.best_cost = progress.sum_of_costs;
+  count_progress(before, state);
   if (found->second.is_accepted) say_state(id, found->second, now);
 }
 
@@ -161,6 +156,7 @@ void RequestDesk::on_planned(const std::string& id, Plan plan, std::string json,
     enqueue(id, request);  // for the next coordinator; who asks meanwhile is told so
     return;
   }
+  count_planned(plan, request, now);
   if (const std::size_t waypoints = waypoints_of(plan); waypoints > settings_.waypoints) {
     end(id, request, PlanStatus::kInvalid,
         "the plan has " + std::to_string(waypoints) + " waypoints; no more than " +
@@ -192,19 +188,6 @@ void RequestDesk::finish(const std::string& id, Request& request, Now now) {
   to_finish_.push_back(id);
 }
 
-// Of what came of the last rounds nobody has told, where they were quick.
-void RequestDesk::note_end(const Plan& plan, RequestState& state) {
-  const auto raise = [&](std::uint64_t& count, std::string_view statistic) {
-    count = std::max(count, counted(plan, statistic));
-  };
-  state.phase = RequestPhase::kFinished;
-  raise(state.conflicts_found, "conflicts_found");
-  raise(state.conflicts_resolved, "conflicts_resolved");
-  raise(state.rounds, "rounds");
-  state.per_cent = 100;
-  state.best_cost = plan.sum_of_costs;
-}
-
 void RequestDesk::tell(const std::string& id, Request& request, Now now) {
   note_end(request.plan, request.state);
   say_state(id, request, now);
@@ -215,6 +198,7 @@ void RequestDesk::tell(const std::string& id, Request& request, Now now) {
 // Where the journal cannot be written, plans stay here, for whoever asks.
 void RequestDesk::on_stored(const std::vector<std::string>& ids, const std::string& fault,
                             Now now) {
+  count_write(fault);
   for (const std::string& id : ids) {
     const auto found = requests_.find(id);
     if (found == requests_.end()) continue;

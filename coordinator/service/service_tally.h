@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <mutex>
+#include <utility>
 
+#include "common/planning/attempt_tally.h"
 #include "common/transport/bus.h"
 #include "common/transport/fleet/fleet_messages.h"
 #include "common/transport/fleet/fleet_port.h"
@@ -22,11 +24,22 @@ class ServiceTally {
     FleetCounters fleet;
     ServiceStatus status;
     std::size_t unfinished_tasks = 0;
+    AttemptTally::Totals attempts;
+    TaskBoard::Load board;
+    RequestDesk::Load desk;
   };
+  // The loop turns ten times a second, however much is being planned: that has its own threads.
+  static constexpr std::chrono::seconds kHangs{10};
 
   void note(Totals totals) {
     const std::lock_guard lock(mutex_);
     totals_ = std::move(totals);
+    has_begun_ = true;
+    turned_ = Clock::now();
+  }
+  // The loop is at work, though it has not come to its end: it reads the journal.
+  void note_turn() {
+    const std::lock_guard lock(mutex_);
     turned_ = Clock::now();
   }
 
@@ -38,10 +51,14 @@ class ServiceTally {
     const std::lock_guard lock(mutex_);
     return Clock::now() - turned_;
   }
-  // Requests are accepted, and somebody is there to work on them.
+  // Its loop turns.
+  bool is_alive() const { return since_last_turn() < kHangs; }
+  // It would accept a request that comes now, and somebody is there to work on it.
   bool is_ready() const {
+    if (!is_alive()) return false;
     const std::lock_guard lock(mutex_);
-    return totals_.status.accepting && totals_.status.workers > 0;
+    return has_begun_ && totals_.status.accepting && totals_.desk.takes_writes &&
+           totals_.board.threads > 0;
   }
 
  private:
@@ -49,6 +66,7 @@ class ServiceTally {
 
   mutable std::mutex mutex_;
   Totals totals_;
+  bool has_begun_ = false;  // there are totals
   Clock::time_point turned_ = Clock::now();
 };
 

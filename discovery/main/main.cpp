@@ -13,6 +13,7 @@
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
+#include "common/runtime/process_metrics.h"
 #include "common/transport/dds_discovery.h"
 #include "discovery/main/discovery_settings.h"
 
@@ -47,6 +48,7 @@ ProcessExit serve(const DiscoverySettings& settings) {
   std::promise<void> asked_to_end;
   signals.set([&asked_to_end] { asked_to_end.set_value(); });
   Metrics metrics;
+  add_process_metrics(metrics, ACCORD_VERSION);
   const auto metrics_server = serve_metrics(settings.metrics, metrics, {});
   if (!metrics_server) return fail(metrics_server.error());
   const auto server = make_dds_discovery_server(settings.server, Reporter(metrics));

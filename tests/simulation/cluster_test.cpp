@@ -91,7 +91,7 @@ TEST_P(Clusters, PlanAsOneProcessDoesWhateverTheNumberOfWorkers) {
     Cluster cluster(1, false);
     for (int i = 0; i < workers; ++i) cluster.start_worker();
     EXPECT_EQ(cluster.plan(scene), expected) << workers << " workers";
-    EXPECT_EQ(cluster.board().counters().reassigned, 0U);
+    EXPECT_EQ(cluster.board().counters().reassigned(), 0U);
   }
 }
 
@@ -196,8 +196,8 @@ TEST(SufferingClusters, PlanAsOnAQuietDay) {
       } catch (const TaskFailure&) {
         ++failures;  // three workers in a row fell silent over one task: it takes the blame
       }
-      lost += cluster.board().counters().workers_lost;
-      reassigned += cluster.board().counters().reassigned;
+      lost += cluster.board().counters().workers_lost();
+      reassigned += cluster.board().counters().reassigned();
     }
   }
   EXPECT_GT(lost, clusters / 3) << "the clusters hardly suffered";

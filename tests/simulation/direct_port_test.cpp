@@ -34,7 +34,7 @@ TEST(DirectPort, GoesOnInTheTimeOfTheOneBeforeIt) {
   network.advance_to(network.now() + 10ms);
   DirectPort second(*bus, board, 2, pass);
   for (int i = 0; i < 3; ++i) second.turn();
-  EXPECT_EQ(board.counters().workers_lost, 0U);
+  EXPECT_EQ(board.counters().workers_lost(), 0U);
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ TEST(TaskBoard, GetsEveryTaskDoneOnce) {
   cluster.submit(1, 200);
   EXPECT_TRUE(cluster.run(std::chrono::seconds(5)));
   EXPECT_EQ(cluster.done.size(), 200U);
-  EXPECT_EQ(cluster.board.counters().reassigned, 0U);
+  EXPECT_EQ(cluster.board.counters().reassigned(), 0U);
 }
 
 TEST(TaskBoard, KeepsAllWorkersBusy) {
@@ -266,8 +266,8 @@ TEST(TaskBoard, GivesTasksOfTheDeadToOthers) {
   cluster.kill(first);
   cluster.start_worker(milliseconds(10));
   EXPECT_TRUE(cluster.run(std::chrono::seconds(10)));
-  EXPECT_EQ(cluster.board.counters().workers_lost, 1U);
-  EXPECT_GT(cluster.board.counters().reassigned, 0U);
+  EXPECT_EQ(cluster.board.counters().workers_lost(), 1U);
+  EXPECT_GT(cluster.board.counters().reassigned(), 0U);
 }
 
 TEST(TaskBoard, QuarantinesATaskThatKillsThreeWorkers) {
@@ -280,7 +280,7 @@ TEST(TaskBoard, QuarantinesATaskThatKillsThreeWorkers) {
   ASSERT_EQ(cluster.not_done.size(), 1U);
   EXPECT_EQ(cluster.not_done.begin()->first, kPoison);
   EXPECT_EQ(cluster.not_done.begin()->second.how, FinishedTask::How::kQuarantined);
-  EXPECT_EQ(cluster.board.counters().workers_lost, 3U);
+  EXPECT_EQ(cluster.board.counters().workers_lost(), 3U);
 }
 
 TEST(TaskBoard, DistrustsWhoeverReturnsWhatDoesNotHold) {
@@ -401,9 +401,14 @@ TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
   board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(610));
   EXPECT_FALSE(board.take_finished());
   EXPECT_EQ(board.counters().late, 1U);
+  EXPECT_EQ(board.counters().reassigned_since(Reassigned::kUnheard), 1U);
   late.key = *second;
   board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(620));
   EXPECT_TRUE(board.take_finished());
+  board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(630));
+  EXPECT_FALSE(board.take_finished());
+  EXPECT_EQ(board.counters().duplicate, 1U);
+  EXPECT_EQ(board.counters().late, 1U);
 }
 
 // A board and its workers, whose every word is the test's.
@@ -493,6 +498,70 @@ TEST(TaskBoard, TakesBackWhatIsAheadOfNeedWhereOthersWouldWait) {
   EXPECT_EQ(cluster.board.counters().put_off, 2U);
   cluster.finish(3);
   EXPECT_EQ(cluster.tasks_in_hand(), (Tasks{1, 4})) << "and is begun again";
+}
+
+TEST(TaskBoard, CountsAResultThatCrossesItsRevocationAsMootNotLate) {
+  Scripted cluster({1});
+  cluster.add(1, true);
+  const auto [worker, key] = cluster.in_hand.at(1);
+  cluster.add(2, false);  // task 1 makes way
+  ResultItem result;
+  result.key = key;
+  cluster.board.on_event({worker, Message(ResultBatch{{result}})}, Time(0));
+  cluster.board.cancel({2});
+  EXPECT_EQ(cluster.board.counters().moot, 1U);
+  EXPECT_EQ(cluster.board.counters().late, 0U);
+  EXPECT_EQ(cluster.board.counters().cancelled, 1U);
+}
+
+TEST(TaskBoard, TellsWorkersThatLeaveInOrderFromThoseThatAreLost) {
+  Scripted cluster({1, 1, 1});
+  Announcement leaving;
+  leaving.leaving = true;
+  leaving.threads = 1;
+  cluster.board.on_event({EndpointId{1}, Message(leaving)}, Time(0));
+  EXPECT_EQ(cluster.board.load(Time(0)).workers.at(WorkerRecord::Standing::kLeaving), 1U);
+  cluster.board.on_event({EndpointId{1}, PeerLost{}}, Time(0));
+  cluster.board.on_event({EndpointId{2}, PeerLost{}}, Time(0));
+  cluster.board.on_time(std::chrono::hours(1));
+  const BoardCounters& counters = cluster.board.counters();
+  EXPECT_EQ(counters.workers_left, 1U);
+  EXPECT_EQ(counters.workers_gone, 1U);
+  EXPECT_EQ(counters.workers_silent, 1U);
+  EXPECT_EQ(counters.workers_lost(), 2U);
+}
+
+TEST(TaskBoard, MeasuresHowLongTasksWaitAndHowBusyThreadsAre) {
+  TaskBoard board{TaskBoard::Settings{}};
+  RequestWork work;
+  work.request = 1;
+  board.add(std::move(work), {{1, {}, payload_of(1), 1}, {2, {}, payload_of(2), 1e6}});
+  EXPECT_FALSE(board.next_outgoing(Time(0)));
+  EXPECT_EQ(board.load(milliseconds(300)).waiting, 2U);
+  EXPECT_EQ(board.load(milliseconds(300)).oldest, milliseconds(300));
+
+  const EndpointId worker{1};
+  Announcement announcement;
+  announcement.threads = 2;
+  announcement.task_bytes = 100;
+  board.on_event({worker, Message(announcement)}, milliseconds(500));
+  while (const auto out = board.next_outgoing(milliseconds(500))) {
+    board.on_published(out->to, Published::kSent, milliseconds(500));
+  }
+  EXPECT_EQ(board.counters().waited.total(), 2U);
+  EXPECT_DOUBLE_EQ(board.counters().waited.sum, 1.0);
+
+  Heartbeat heartbeat;
+  heartbeat.idle_threads = 1;
+  board.on_event({worker, Message(heartbeat)}, milliseconds(600));
+  board.on_event({worker, Message(heartbeat)}, milliseconds(800));
+  EXPECT_DOUBLE_EQ(board.counters().thread_seconds, 0.4);
+  EXPECT_DOUBLE_EQ(board.counters().busy_seconds, 0.2);
+  const TaskBoard::Load load = board.load(milliseconds(800));
+  EXPECT_EQ(load.assigned, 2U);
+  EXPECT_EQ(load.oldest, Time(0));
+  EXPECT_EQ(load.threads, 2U);
+  EXPECT_EQ(load.busy, 1U);
 }
 
 TEST(TaskBoard, KeepsWhatWasHurried) {

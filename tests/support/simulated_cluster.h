@@ -29,7 +29,7 @@ class SolvedJobs {
  public:
   ResultItem solve(const SceneShelf& shelf, const TaskDesk::Job& job) {
     auto [known, is_new] = results_.try_emplace({job.scene, job.hierarchy, job.subproblem});
-    if (is_new) known->second = shelf.solve(job, never_);
+    if (is_new) known->second = shelf.solve(job, never_).result;
     ResultItem result = known->second;
     if (result.outcome != ResultItem::Outcome::kDone) results_.erase(known);
     return result;

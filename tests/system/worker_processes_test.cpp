@@ -77,7 +77,7 @@ TEST_F(WorkerProcesses, PlanAsOneProcessDoes) {
   start_worker();
   const auto scene = testing::example_scene("low-mobile-32");
   EXPECT_EQ(plan(scene), testing::paths_planned_in_process(scene));
-  EXPECT_EQ(board_.counters().reassigned, 0U);
+  EXPECT_EQ(board_.counters().reassigned(), 0U);
 }
 
 TEST_F(WorkerProcesses, MayBeKilledAtAnyMoment) {

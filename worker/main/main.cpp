@@ -2,7 +2,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "common/runtime/metrics.h"
 #include "common/runtime/metrics_endpoint.h"
 #include "common/runtime/process_main.h"
+#include "common/runtime/process_metrics.h"
 #include "common/transport/dds_bus.h"
 #include "worker/main/worker_metrics.h"
 #include "worker/main/worker_settings.h"
@@ -23,9 +23,6 @@
 namespace {
 
 using accord::ProcessExit;
-
-// The loop turns ten times a second, however busy the worker is: its tasks have their own threads.
-constexpr auto kHangs = std::chrono::seconds(10);
 
 accord::TaskDesk::Settings desk_settings(const accord::WorkerSettings& options) {
   accord::TaskDesk::Settings settings;
@@ -72,10 +69,11 @@ ProcessExit run(int argc, char** argv) {
   accord::EndingSignals signals;
   accord::WorkerTally tally;
   accord::Metrics metrics;
+  accord::add_process_metrics(metrics, ACCORD_VERSION);
   accord::add_worker_metrics(metrics, tally, options.threads);
-  const auto server = accord::serve_metrics(options.metrics, metrics,
-                                            {[&tally] { return tally.since_last_turn() < kHangs; },
-                                             [&tally] { return tally.is_employed(); }});
+  const auto server = accord::serve_metrics(
+      options.metrics, metrics,
+      {[&tally] { return tally.is_alive(); }, [&tally] { return tally.is_ready(); }});
   if (!server) {
     spdlog::error("{}", server.error());
     return ProcessExit::kUnavailable;

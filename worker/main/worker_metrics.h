@@ -1,4 +1,5 @@
-// What /metrics says of a worker.
+// What /metrics says of a worker. docs/operations.md tells what each means, and
+// tests/system/monitoring/ compares.
 #pragma once
 
 #include "common/runtime/metrics.h"

@@ -72,14 +72,14 @@ void JobThreads::serve() {
 
 JobThreads::Outcome JobThreads::carry_out(Work& work) {
   if (auto* running = std::get_if<Running>(&work)) {
-    ResultItem result;
+    SceneShelf::Solved solved;
     try {
-      result = shelf_.solve(running->job, *running->stop);
+      solved = shelf_.solve(running->job, *running->stop);
     } catch (const std::exception& error) {
-      result.outcome = ResultItem::Outcome::kFailed;
-      result.text = error.what();
+      solved.result.outcome = ResultItem::Outcome::kFailed;
+      solved.result.text = error.what();
     }
-    return Ended{std::move(running->job), std::move(result)};
+    return Ended{std::move(running->job), std::move(solved.result), std::move(solved.levels)};
   }
   const auto& scene = std::get<TaskDesk::Scene>(work);
   try {

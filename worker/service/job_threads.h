@@ -25,6 +25,7 @@ class JobThreads {
   struct Ended {
     TaskDesk::Job job;
     ResultItem result;
+    std::vector<TriedLevel> levels;
   };
   struct SceneOutcome {
     SceneHash scene;

@@ -18,11 +18,11 @@
 namespace accord {
 namespace {
 
-ResultItem trouble(ResultItem::Outcome outcome, std::string text) {
-  ResultItem item;
-  item.outcome = outcome;
-  item.text = std::move(text);
-  return item;
+SceneShelf::Solved trouble(ResultItem::Outcome outcome, std::string text) {
+  SceneShelf::Solved out;
+  out.result.outcome = outcome;
+  out.result.text = std::move(text);
+  return out;
 }
 
 }  // namespace
@@ -60,7 +60,8 @@ std::shared_ptr<const SceneShelf::Ready> SceneShelf::find(const SceneHash& hash)
   return found == scenes_.end() ? nullptr : found->second;
 }
 
-ResultItem SceneShelf::solve(const TaskDesk::Job& job, const std::atomic<bool>& stop) const {
+SceneShelf::Solved SceneShelf::solve(const TaskDesk::Job& job,
+                                     const std::atomic<bool>& stop) const {
   const auto ready = find(job.scene);
   if (!ready) return trouble(ResultItem::Outcome::kHandedBack, "the scene is not here any more");
   const auto solvers = decode_hierarchy(job.hierarchy);
@@ -75,15 +76,18 @@ ResultItem SceneShelf::solve(const TaskDesk::Job& job, const std::atomic<bool>& 
     return trouble(ResultItem::Outcome::kRefused, "subproblem: " + subproblem.error());
   }
   const auto begin = std::chrono::steady_clock::now();
-  ResultItem item;
+  Solved out;
   try {
-    item.resolution = encode_resolution(ready->worker.solve(*subproblem, *solvers, stop));
+    const Resolution resolution = ready->worker.solve(*subproblem, *solvers, stop);
+    out.levels = tried_levels(*subproblem, *solvers, resolution);
+    out.result.resolution = encode_resolution(resolution);
   } catch (const std::bad_alloc&) {
     return trouble(ResultItem::Outcome::kFailed, "not enough memory");
   }
   if (stop) return trouble(ResultItem::Outcome::kHandedBack, "stopped");
-  item.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return item;
+  out.result.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return out;
 }
 
 }  // namespace accord

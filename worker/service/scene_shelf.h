@@ -8,8 +8,10 @@
 #include <mutex>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "common/io/wire/scene_hash.h"
+#include "common/planning/levels.h"
 #include "common/transport/messages.h"
 #include "worker/service/task_desk.h"
 
@@ -24,9 +26,14 @@ class SceneShelf {
   tl::expected<void, std::string> add(const SceneHash& hash, BytesView bytes);
   void remove(const SceneHash& hash);
 
+  struct Solved {
+    ResultItem result;
+    std::vector<TriedLevel>
+        levels;  // how it went at each that was tried; none where it is not done
+  };
   // Solves a job in its scene, which must be there. What comes back depends on the job alone,
   // unless `stop` becomes true.
-  ResultItem solve(const TaskDesk::Job& job, const std::atomic<bool>& stop) const;
+  Solved solve(const TaskDesk::Job& job, const std::atomic<bool>& stop) const;
 
  private:
   struct Ready;

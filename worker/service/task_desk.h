@@ -13,6 +13,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -74,6 +75,9 @@ class TaskDesk {
 
   // From now on no more tasks. Done when is_idle().
   void leave();
+  bool is_leaving() const { return leaving_; }
+  std::size_t running() const { return running_.size(); }
+  std::size_t waiting() const { return waiting_.size(); }
   bool is_idle() const { return waiting_.empty() && running_.empty() && outbox_.empty(); }
 
   // ---- The network ----

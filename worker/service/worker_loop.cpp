@@ -21,7 +21,9 @@ WorkerLoop::WorkerLoop(Bus& bus, const TaskDesk::Settings& settings, WorkerTally
     : bus_(bus),
       tally_(tally),
       desk_(settings),
-      threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {}
+      threads_(shelf_, settings.info.threads, [&bus] { bus.wake(); }) {
+  tally_.note_new_bus();
+}
 
 void WorkerLoop::drain() {
   drain_ = true;
@@ -40,7 +42,6 @@ WorkerLoop::End WorkerLoop::run() {
     turn();
     if (desk_.coordinator() != coordinator) {
       coordinator = desk_.coordinator();
-      tally_.set_employed(coordinator.has_value());
       if (coordinator) spdlog::info("works for coordinator {}", to_string(*coordinator));
       lonely_since = coordinator ? std::nullopt : std::optional(now());
       if (!coordinator) {
@@ -60,12 +61,11 @@ WorkerLoop::End WorkerLoop::run() {
 }
 
 void WorkerLoop::turn() {
-  tally_.note_turn();
   const TaskDesk::Time time = now();
   while (const auto event = bus_.take()) desk_.on_event(*event, time);
   while (auto outcome = threads_.take()) {
     if (auto* ended = std::get_if<JobThreads::Ended>(&*outcome)) {
-      tally_.count(ended->result);
+      tally_.count(ended->result, ended->levels);
       desk_.on_ended(ended->job, std::move(ended->result));
     } else {
       const auto& scene = std::get<JobThreads::SceneOutcome>(*outcome);
@@ -85,6 +85,8 @@ void WorkerLoop::turn() {
   while (const auto out = desk_.next_outgoing(time)) {
     desk_.on_published(bus_.publish(out->to, out->message), time);
   }
+  tally_.note_turn({desk_.running(), desk_.waiting(), desk_.coordinator().has_value(),
+                    desk_.is_leaving(), bus_.counters()});
 }
 
 }  // namespace accord

@@ -89,9 +89,11 @@ Locator_t locator(const DdsAddress& address) {
 
 void add_addresses(const DdsOptions& options, DomainParticipantQos& qos) {
   auto& builtin = qos.wire_protocol().builtin;
-  if (options.discovery == DdsOptions::Discovery::kPeers) {
+  if (options.discovery != DdsOptions::Discovery::kMulticast) {
     // An empty locator stands for the usual unicast ports; without multicast ones none are opened.
     builtin.metatrafficUnicastLocatorList.push_back(Locator_t());
+  }
+  if (options.discovery == DdsOptions::Discovery::kPeers) {
     for (const DdsAddress& address : options.addresses) {
       builtin.initialPeersList.push_back(locator(address));
     }

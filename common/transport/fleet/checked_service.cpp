@@ -17,6 +17,7 @@ std::optional<FleetRequest> CheckedService::take() {
   }
   if (request) ++counters_.received;
   counters_.malformed = unreadable() + beyond_limits_;
+  counters_.topics = traffic();
   return request;
 }
 

@@ -25,6 +25,9 @@ class CheckedService : public FleetServicePort {
   // How many of what came could not even be read.
   virtual std::uint64_t unreadable() const = 0;
 
+  // What has gone and come, topic by topic; none where nobody counts.
+  virtual FleetTraffic::Totals traffic() const { return {}; }
+
   void refuse(const FleetRequest& request, std::string fault);
 
   FleetCounters counters_;

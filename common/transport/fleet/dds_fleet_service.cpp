@@ -75,29 +75,31 @@ class DdsFleetService final : public CheckedService {
     for (const DataReader* reader : {cancels_, resends_, requests_}) {
       if (reader == nullptr) return "DDS refused a reader";
     }
-    plans_.emplace(options.cluster, ros, *outlines, *paths, robots_);
+    plans_.emplace(options.cluster, ros, *outlines, *paths, robots_, traffic_);
     return std::nullopt;
   }
 
  private:
   std::optional<FleetRequest> do_take() override {
     // What is short and urgent first.
-    if (auto cancel = read<CancelRequest>(*cancels_)) return cancel;
-    if (auto resend = read<ResendRequest>(*resends_)) return resend;
-    return read<PlanRequest>(*requests_);
+    if (auto cancel = read<CancelRequest>(*cancels_, &traffic_)) return cancel;
+    if (auto resend = read<ResendRequest>(*resends_, &traffic_)) return resend;
+    return read<PlanRequest>(*requests_, &traffic_);
   }
   bool do_publish(const FleetNews& news) override {
     return std::visit([this](const auto& kind) { return send(kind); }, news);
   }
   std::uint64_t unreadable() const override { return refused_; }
+  FleetTraffic::Totals traffic() const override { return traffic_.totals(); }
 
-  bool send(const RequestReply& reply) { return write(reply, *replies_); }
-  bool send(const RequestState& state) { return write(state, *states_); }
-  bool send(const WorkerStatus& worker) { return write(worker, *workers_); }
-  bool send(const ServiceStatus& service) { return write(service, *service_); }
+  bool send(const RequestReply& reply) { return write(reply, *replies_, &traffic_); }
+  bool send(const RequestState& state) { return write(state, *states_, &traffic_); }
+  bool send(const WorkerStatus& worker) { return write(worker, *workers_, &traffic_); }
+  bool send(const ServiceStatus& service) { return write(service, *service_, &traffic_); }
   bool send(const FinishedPlan& plan) { return plans_->send(plan); }
 
   std::uint64_t refused_ = 0;
+  FleetTraffic traffic_;
   WakingListener listener_;
   DataWriter* replies_ = nullptr;
   DataWriter* states_ = nullptr;

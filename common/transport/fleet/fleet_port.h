@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "common/transport/fleet/fleet_messages.h"
+#include "common/transport/fleet/fleet_traffic.h"
 
 namespace accord {
 
@@ -20,6 +21,8 @@ struct FleetCounters {
   std::uint64_t received = 0;
   std::uint64_t malformed = 0;  // received, beyond a limit or incomplete: dropped
   std::uint64_t unsent = 0;     // published, beyond a limit or not taken by the network: dropped
+  // By place in kFleetTopicNames: samples, of which a plan is many. Of a service's end over DDS.
+  FleetTraffic::Totals topics = {};
 };
 
 // The service's end.

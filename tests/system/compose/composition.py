@@ -1,12 +1,16 @@
 """deploy/docker-compose.yml as the cases of this folder use it: a project of its own for each test,
 with no demo unless it asks for one."""
 
+import atexit
+import functools
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -15,8 +19,28 @@ sys.path.insert(0, str(ROOT / "tests/system/hosts"))
 import service  # noqa: E402: planned_here and canonical are the same for hosts and containers
 
 SOLVED = 0
+# Takes long enough that something can happen meanwhile, and has work for any number of workers.
+LONG = "arm-cells-128"
 IMAGE = "accord-test"
 READ = "import sys, urllib.request as u; print(u.urlopen(sys.argv[1], timeout=5).read().decode())"
+
+
+@functools.cache
+def scenes():
+    """The folder of scenes that the containers see: ours, and LONG."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="accord-scenes-"))
+    atexit.register(shutil.rmtree, folder)
+    shutil.copytree(ROOT / "scenes", folder, dirs_exist_ok=True)
+    subprocess.run([ROOT / "scenes/generate", *LONG.rsplit("-", 1), "-o", folder], check=True,
+                   capture_output=True)
+    folder.chmod(0o755)
+    return folder
+
+
+@functools.cache
+def planned_here(name):
+    """The plan that one process makes."""
+    return service.planned_here(scenes() / f"{name}.yaml")
 
 
 class Case(unittest.TestCase):
@@ -29,12 +53,13 @@ class Case(unittest.TestCase):
         self._command = ["docker-compose", "--project-name", self.project]
         for file in files:
             self._command += ["--file", str(ROOT / "deploy" / file)]
-        self._environment = {**os.environ, "ACCORD_IMAGE": IMAGE, "COMPOSE_PROFILES": "",
-                             "ACCORD_DDS_CLUSTER": self.project, **self.VARIABLES}
+        self.variables = {**os.environ, "ACCORD_IMAGE": IMAGE, "COMPOSE_PROFILES": "",
+                             "ACCORD_DDS_CLUSTER": self.project,
+                             "ACCORD_SCENES": str(scenes()), **self.VARIABLES}
         self.addCleanup(self.compose, "down", "--volumes", "--timeout", "1", "--remove-orphans")
 
     def compose(self, *arguments, check=True, **options):
-        result = subprocess.run([*self._command, *map(str, arguments)], env=self._environment,
+        result = subprocess.run([*self._command, *map(str, arguments)], env=self.variables,
                                 check=False, capture_output=True, text=True, timeout=180, **options)
         if check and result.returncode != 0:
             self.fail(f"docker-compose {' '.join(map(str, arguments))}: {result.stdout}"
@@ -80,7 +105,7 @@ class Case(unittest.TestCase):
         return subprocess.Popen(
             [*self._command, "run", "--rm", "-T", "demo", "accord", "submit",
              f"/srv/scenes/{name}.yaml", "--json", "--patience", "60"],
-            env=self._environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            env=self.variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, text=True)
 
     def end_of(self, submission, within=120):
@@ -91,7 +116,10 @@ class Case(unittest.TestCase):
 
     def assert_plans(self, *names):
         for name in names:
-            self.assertEqual(service.planned_here(name), self.end_of(self.submit(name)), name)
+            self.assert_ends_planned(name, self.submit(name))
+
+    def assert_ends_planned(self, name, submission):
+        self.assertEqual(planned_here(name), self.end_of(submission), name)
 
     def solvers(self):
         """The containers of workers that have solved tasks."""
@@ -114,5 +142,5 @@ class Case(unittest.TestCase):
             check=True, capture_output=True, text=True, timeout=60).stdout
 
     def docker(self, *arguments):
-        return subprocess.run(["docker", *arguments], check=True, env=self._environment,
+        return subprocess.run(["docker", *arguments], check=True, env=self.variables,
                               capture_output=True, text=True, timeout=60).stdout

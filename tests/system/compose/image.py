@@ -30,9 +30,9 @@ def build(docker, whole=False):
     if whole:
         docker("build", "--network", "host", "--tag", IMAGE, "--file", DOCKERFILE, engine.ROOT)
         return
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["cpack", "-G", "DEB", "-B", folder], cwd=BUILD, check=True,
-                       stdout=subprocess.DEVNULL)
+    with tempfile.TemporaryDirectory() as work, tempfile.TemporaryDirectory() as folder:
+        subprocess.run(["cpack", "-G", "DEB", "-B", work, "-D", f"CPACK_OUTPUT_FILE_PREFIX={folder}"],
+                       cwd=BUILD, check=True, capture_output=True)
         text = without_compiling(DOCKERFILE.read_text())
         (pathlib.Path(folder) / "Dockerfile").write_text(text)
         docker("build", "--network", "host", "--tag", IMAGE, folder)

@@ -23,7 +23,8 @@ WORKER = _binary("ACCORD_WORKER", "accord-worker")
 
 
 def scene(name):
-    return ROOT / "scenes" / f"{name}.yaml"
+    """One of ours by its name, or any by the path of its file."""
+    return name if isinstance(name, pathlib.Path) else ROOT / "scenes" / f"{name}.yaml"
 
 
 def canonical(plan):

@@ -71,6 +71,10 @@ class Network:
             ["setpriv", "--pdeathsig", "KILL", "ip", "netns", "exec", self._namespace(name),
              *map(str, command)], stdin=subprocess.DEVNULL, **options)
 
+    def run(self, name, *command):
+        """A command on a host, to its end."""
+        return self._run(name, *command)
+
     def lose(self, share):
         """From now on every host loses that share of the frames that arrive, fragments of larger
         packets included: of what travels there and back, twice as much."""

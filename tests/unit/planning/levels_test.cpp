@@ -41,5 +41,39 @@ TEST(Levels, AreNotForARobotOnItsOwnThatHasNobodyToAvoid) {
   EXPECT_FALSE(is_robot_alone(subproblem));
 }
 
+using Tried = std::vector<TriedLevel>;
+
+Resolution solved_by(const char* solver) {
+  Resolution resolution;
+  resolution.solved = true;
+  resolution.solver = solver;
+  return resolution;
+}
+
+TEST(TriedLevels, EndWithTheOneThatSolvesIt) {
+  const Subproblem team;
+  EXPECT_EQ(tried_levels(team, default_solver_names(), solved_by("decoupled-prm")),
+            (Tried{{"prioritized-query", LevelOutcome::kExhausted},
+                   {"decoupled-prm", LevelOutcome::kSolved}}));
+  EXPECT_EQ(tried_levels(team, {"lockstep-query", "decoupled-prm"}, {}),
+            (Tried{{"decoupled-prm", LevelOutcome::kExhausted}}));
+}
+
+TEST(TriedLevels, OfARobotAloneAreHowItIsGivenItsPath) {
+  Subproblem alone;
+  alone.tasks.resize(1);
+  EXPECT_EQ(tried_levels(alone, default_solver_names(), solved_by("straight")),
+            (Tried{{"straight", LevelOutcome::kSolved}}));
+  EXPECT_EQ(tried_levels(alone, default_solver_names(), {}),
+            (Tried{{"prm", LevelOutcome::kExhausted}}));
+}
+
+// A worker may say anything.
+TEST(TriedLevels, NameASolverThatIsNoneOfThemLast) {
+  const auto tried = tried_levels(Subproblem{}, {"decoupled-prm"}, solved_by("magic"));
+  ASSERT_EQ(tried.size(), 2U);
+  EXPECT_EQ(counted_solver(tried.back().solver), "other");
+}
+
 }  // namespace
 }  // namespace accord

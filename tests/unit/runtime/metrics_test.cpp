@@ -11,11 +11,14 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "common/runtime/metric_readings.h"
 #include "common/runtime/metrics_server.h"
+#include "common/runtime/process_metrics.h"
 
 namespace accord {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -65,6 +68,62 @@ TEST(Metrics, FollowTotalsThatAreKeptElsewhere) {
   EXPECT_THAT(metrics.collect(), HasSubstr("lost_total 5\n")) << "counters do not fall";
   total = 7;
   EXPECT_THAT(metrics.collect(), HasSubstr("lost_total 7\n"));
+}
+
+TEST(Metrics, FollowHistogramsThatAreKeptElsewhere) {
+  Metrics metrics;
+  auto histogram = metrics.histogram("time_seconds", "Time", {0.1, 1});
+  histogram.raise_to({2, 1, 0}, 0.9);
+  histogram.raise_to({2, 3, 1}, 8.5);
+  EXPECT_THAT(metrics.collect(), HasSubstr("time_seconds_count 6\ntime_seconds_sum 8.5\n"
+                                           "time_seconds_bucket{le=\"0.1\"} 2\n"
+                                           "time_seconds_bucket{le=\"1\"} 5\n"
+                                           "time_seconds_bucket{le=\"+Inf\"} 6\n"));
+}
+
+TEST(Metrics, ReadTotalsOnceForAllThatIsReadOffThem) {
+  struct Totals {
+    double rounds = 0;
+    TimeHistogram times;
+  };
+  int copies = 0;
+  Metrics metrics;
+  MetricReadings<Totals> add(metrics, [&] {
+    ++copies;
+    Totals totals{7, {}};
+    totals.times.add(0.01);
+    totals.times.add(1e6);
+    return totals;
+  });
+  add.counter("rounds_total", "Rounds", {}, [](const Totals& t) { return t.rounds; });
+  add.gauge("rounds", "Rounds", {}, [](const Totals& t) { return t.rounds + 1; });
+  add.histogram("time_seconds", "Time", {}, [](const Totals& t) { return t.times; });
+  const std::string text = metrics.collect();
+  EXPECT_EQ(copies, 1);
+  EXPECT_THAT(text, HasSubstr("rounds_total 7\n"));
+  EXPECT_THAT(text, HasSubstr("rounds 8\n"));
+  EXPECT_THAT(text, HasSubstr("time_seconds_bucket{le=\"0.005\"} 0\n"
+                              "time_seconds_bucket{le=\"0.01\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("time_seconds_bucket{le=\"5000\"} 1\n"
+                              "time_seconds_bucket{le=\"+Inf\"} 2\n"));
+}
+
+TEST(TimeHistogram, TakesATimeThatRanBackwardsForNone) {
+  TimeHistogram times;
+  times.add(-1);
+  EXPECT_EQ(times.counts.front(), 1U);
+  EXPECT_EQ(times.sum, 0);
+}
+
+TEST(ProcessMetrics, AreThoseOfThisProcess) {
+  Metrics metrics;
+  add_process_metrics(metrics, "1.2.3");
+  const std::string text = metrics.collect();
+  EXPECT_THAT(text, HasSubstr("accord_build_info{version=\"1.2.3\"} 1\n"));
+  for (const char* name : {"process_cpu_seconds_total", "process_resident_memory_bytes",
+                           "process_open_fds", "process_max_fds", "process_start_time_seconds"}) {
+    EXPECT_THAT(text, ContainsRegex(std::string("\n") + name + " [1-9]|\n" + name + " 0\\.0"));
+  }
 }
 
 TEST(Metrics, RefuseNamesThatPrometheusDoesNotRead) {

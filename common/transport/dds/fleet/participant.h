@@ -16,6 +16,7 @@
 #include "common/transport/dds/fleet/topics.h"
 #include "common/transport/dds/qos.h"
 #include "common/transport/dds_options.h"
+#include "common/transport/fleet/fleet_traffic.h"
 
 namespace accord::dds {
 
@@ -87,21 +88,37 @@ class FleetParticipant {
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
 };
 
-// False: not taken, since who requests are for has not taken those before, or DDS is in trouble.
+// As Fast DDS writes it, its head included.
 template <typename Value>
-bool write(const Value& value, eprosima::fastdds::dds::DataWriter& writer) {
+std::size_t serialized_bytes(const typename Wire<Value>::Type& sample) {
+  constexpr std::size_t kHead = 4;
+  return kHead + Wire<Value>::Type::getCdrSerializedSize(sample);
+}
+
+// False: not taken, since who requests are for has not taken those before, or DDS is in trouble.
+// `traffic`: where it is counted; null: nowhere.
+template <typename Value>
+bool write(const Value& value, eprosima::fastdds::dds::DataWriter& writer,
+           FleetTraffic* traffic = nullptr) {
   typename Wire<Value>::Type sample;
   to_wire(value, sample);
-  return writer.write(&sample);  // bool: true is sent
+  if (!writer.write(&sample)) return false;  // bool: true is sent
+  constexpr std::size_t kTopic = fleet_topic_index(kFleetTopic<Value>.name);
+  if (traffic != nullptr) traffic->count_sent(kTopic, serialized_bytes<Value>(sample));
+  return true;
 }
 
 // The next sample that can be read, if there is one.
 template <typename Value>
-std::optional<Value> read(eprosima::fastdds::dds::DataReader& reader) {
+std::optional<Value> read(eprosima::fastdds::dds::DataReader& reader,
+                          FleetTraffic* traffic = nullptr) {
   typename Wire<Value>::Type sample;
   eprosima::fastdds::dds::SampleInfo info;
   while (reader.take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
-    if (info.valid_data) return from_wire(sample);
+    if (!info.valid_data) continue;
+    constexpr std::size_t kTopic = fleet_topic_index(kFleetTopic<Value>.name);
+    if (traffic != nullptr) traffic->count_received(kTopic, serialized_bytes<Value>(sample));
+    return from_wire(sample);
   }
   return std::nullopt;
 }

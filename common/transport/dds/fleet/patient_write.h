@@ -12,9 +12,10 @@ namespace accord::dds {
 inline const eprosima::fastrtps::Duration_t kPatience{0, 100'000'000};
 
 template <typename Value>
-void write_patiently(const Value& value, eprosima::fastdds::dds::DataWriter& writer) {
+void write_patiently(const Value& value, eprosima::fastdds::dds::DataWriter& writer,
+                     FleetTraffic& traffic) {
   constexpr int kTries = 20;  // each of some milliseconds
-  for (int i = 0; i < kTries && !write(value, writer); ++i) {
+  for (int i = 0; i < kTries && !write(value, writer, &traffic); ++i) {
   }
 }
 

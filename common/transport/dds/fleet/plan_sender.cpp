@@ -18,11 +18,13 @@ constexpr std::size_t kAhead = kFleetTopic<PathPiece>.writer_depth / 2;
 
 PlanSender::PlanSender(const std::string& cluster, const RosOptions& ros,
                        eprosima::fastdds::dds::DataWriter& outlines,
-                       eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots)
+                       eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots,
+                       FleetTraffic& traffic)
     : outlines_(outlines),
       paths_(paths),
       robots_(robots),
-      robot_writers_(cluster, paths),
+      traffic_(traffic),
+      robot_writers_(cluster, paths, traffic),
       ros_(participant_of(paths), ros),
       latest_(kWaitingBytes),
       thread_([this] { run(); }) {
@@ -94,12 +96,12 @@ void PlanSender::look_after_robots() {
 
 void PlanSender::send_now(const FinishedPlan& plan) {
   const PlanPieces pieces(plan);
-  write_patiently(pieces.outline(), outlines_);
+  write_patiently(pieces.outline(), outlines_, traffic_);
   for (std::size_t robot = 0; robot < plan.plan.robots.size(); ++robot) {
     for (const PathPiece& piece : pieces.of_robot(robot)) {
       if (ended_) return;
       robot_writers_.write(piece);
-      write_patiently(piece, paths_);
+      write_patiently(piece, paths_, traffic_);
       if (++ahead_ >= kAhead) let_them_catch_up();
     }
   }

@@ -25,10 +25,11 @@ namespace accord::dds {
 // send() from one thread. Destruction ends what is being sent.
 class PlanSender {
  public:
-  // Nobody else writes with these, which outlive it, as `robots` does.
+  // Nobody else writes with these, which outlive it, as `robots` and `traffic` do.
   PlanSender(const std::string& cluster, const RosOptions& ros,
              eprosima::fastdds::dds::DataWriter& outlines,
-             eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots);
+             eprosima::fastdds::dds::DataWriter& paths, RobotReaders& robots,
+             FleetTraffic& traffic);
   ~PlanSender();
   PlanSender(const PlanSender&) = delete;
   PlanSender& operator=(const PlanSender&) = delete;
@@ -53,6 +54,7 @@ class PlanSender {
   eprosima::fastdds::dds::DataWriter& outlines_;
   eprosima::fastdds::dds::DataWriter& paths_;
   RobotReaders& robots_;
+  FleetTraffic& traffic_;
   // The sending thread's:
   RobotWriters robot_writers_;
   RosWriters ros_;

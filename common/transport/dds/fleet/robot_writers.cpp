@@ -11,8 +11,9 @@
 
 namespace accord::dds {
 
-RobotWriters::RobotWriters(const std::string& cluster, eprosima::fastdds::dds::DataWriter& paths)
-    : cluster_(cluster), paths_(paths), participant_(participant_of(paths)) {}
+RobotWriters::RobotWriters(const std::string& cluster, eprosima::fastdds::dds::DataWriter& paths,
+                           FleetTraffic& traffic)
+    : cluster_(cluster), paths_(paths), traffic_(traffic), participant_(participant_of(paths)) {}
 
 RobotWriters::~RobotWriters() {
   for (const auto& [robot, writer] : writers_) remove(writer);
@@ -60,7 +61,7 @@ void RobotWriters::remove(const Writer& writer) {
 void RobotWriters::write(const PathPiece& piece) {
   const auto found = writers_.find(piece.robot);
   if (found == writers_.end()) return;
-  write_patiently(piece, *found->second.writer);
+  write_patiently(piece, *found->second.writer, traffic_);
   if (++found->second.ahead < kRobotPathDepth / 2) return;
   found->second.writer->wait_for_acknowledgments(kPatience);
   found->second.ahead = 0;

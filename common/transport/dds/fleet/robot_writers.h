@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "common/transport/fleet/fleet_traffic.h"
 #include "common/transport/fleet/plan_parts.h"
 
 namespace accord::dds {
@@ -21,8 +22,9 @@ class RobotWriters {
   // So many robots at most are written to; others hear of their paths with everybody else.
   static constexpr std::size_t kMost = 4096;
 
-  // Their topic is that of `paths`, which writes to who reads all robots'. It outlives this.
-  RobotWriters(const std::string& cluster, eprosima::fastdds::dds::DataWriter& paths);
+  // Their topic is that of `paths`, which writes to who reads all robots'. Both outlive this.
+  RobotWriters(const std::string& cluster, eprosima::fastdds::dds::DataWriter& paths,
+               FleetTraffic& traffic);
   ~RobotWriters();
   RobotWriters(const RobotWriters&) = delete;
   RobotWriters& operator=(const RobotWriters&) = delete;
@@ -44,6 +46,7 @@ class RobotWriters {
 
   std::string cluster_;
   eprosima::fastdds::dds::DataWriter& paths_;
+  FleetTraffic& traffic_;
   eprosima::fastdds::dds::DomainParticipant& participant_;
   std::map<std::string, Writer> writers_;  // by robot
 };

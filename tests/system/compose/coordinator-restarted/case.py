@@ -15,12 +15,11 @@ class CoordinatorRestarted(composition.Case):
         self.up(workers=2)
         self.await_log("worker", "works for coordinator", times=2)
         (self.coordinator,) = self.containers("coordinator")
-        self.submission = self.submit("arm-cells-128")
+        self.submission = self.submit(composition.LONG)
         self.wait_until(self.solvers, "a worker has solved a task")
 
     def assert_plans_in_the_end(self):
-        self.assertEqual(composition.service.planned_here("arm-cells-128"),
-                         self.end_of(self.submission))
+        self.assert_ends_planned(composition.LONG, self.submission)
         self.await_well()
 
     def test_after_it_died_while_planning(self):

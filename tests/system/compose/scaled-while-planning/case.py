@@ -17,8 +17,8 @@ class ScaledWhilePlanning(composition.Case):
         self.wait_until(self.solvers, "a worker has solved a task")
         self.compose("up", "--detach", "--no-build", "--no-recreate", "--scale", "worker=4")
         for name, submission in zip(SCENES, submissions):
-            self.assertEqual(composition.service.planned_here(name), self.end_of(submission), name)
+            self.assert_ends_planned(name, submission)
         self.assertEqual(4, len(self.solvers()))
 
 
-SCENES = ("arm-cells-128", "high-manipulator-4", "random-crossing-0300", "fleet-1000")
+SCENES = (composition.LONG, "high-manipulator-4", "random-crossing-0300", "fleet-1000")

@@ -16,7 +16,7 @@ class SharedMemory(composition.Case):
         self.up(workers=3)
         self.await_log("worker", "works for coordinator", times=3)
         self.await_well()
-        self.assert_plans("adaptive-mobile", "high-manipulator-4", "arm-cells-128")
+        self.assert_plans("adaptive-mobile", "high-manipulator-4", composition.LONG)
         self.assertEqual(3, len(self.solvers()))
 
     def test_is_what_carries_the_messages(self):

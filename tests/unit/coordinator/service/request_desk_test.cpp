@@ -594,5 +594,51 @@ TEST_F(RequestDeskTest, HandsOutNoPlanThatIsTooLarge) {
   EXPECT_THAT(plans_.back().plan.message, HasSubstr("2 waypoints"));
 }
 
+TEST_F(RequestDeskTest, MeasuresQueueAndPlanningAndWhatPlansTellOfTheirs) {
+  RequestDesk::Settings settings;
+  settings.planning = 1;
+  open(settings);
+  submit("a");
+  submit("b");
+  pass(std::chrono::seconds(2));
+  EXPECT_EQ(desk_->load(now_).queued, 1U);
+  EXPECT_EQ(desk_->load(now_).planning, 1U);
+  EXPECT_EQ(desk_->load(now_).oldest, std::chrono::seconds(2));
+  desk_->on_progress("a", {Progress::Phase::kConflicts, 1, 5, 1, 1}, now_);
+  EXPECT_EQ(desk_->counters().conflicts_found, 5U) << "as it comes, not at the end";
+
+  Plan plan = solved_plan();
+  plan.statistics = {
+      {"conflicts_found", 9},  {"conflicts_resolved", 3},    {"rounds", 2},
+      {"subproblems", 7},      {"subproblems_exhausted", 2}, {"solved_by_prioritized-query", 2},
+      {"solved_by_nobody", 1}, {"proof_time", 0.5}};
+  finish("a", plan);
+  const DeskCounters& counters = desk_->counters();
+  EXPECT_EQ(counters.conflicts_found, 9U);
+  EXPECT_EQ(counters.conflicts_resolved, 3U);
+  EXPECT_EQ(counters.rounds, 2U);
+  EXPECT_EQ(counters.subproblems_exhausted, 2U);
+  EXPECT_EQ(counters.subproblems_set_aside, 2U);
+  EXPECT_EQ(counters.resolutions,
+            (std::map<std::string, std::uint64_t>{{"other", 1}, {"prioritized-query", 2}}));
+  EXPECT_EQ(counters.planning.at(PlanStatus::kSolved).sum, 2);
+  EXPECT_EQ(counters.proof.sum, 0.5);
+  EXPECT_EQ(counters.queued.total(), 2U) << "the other one has been begun";
+  EXPECT_EQ(counters.queued.sum, 2);
+}
+
+TEST_F(RequestDeskTest, KnowsWhetherTheJournalTakesWrites) {
+  open();
+  EXPECT_TRUE(desk_->load(now_).takes_writes);
+  journal_.fail_next_writes(1);
+  submit("a");
+  EXPECT_FALSE(desk_->load(now_).takes_writes);
+  EXPECT_EQ(desk_->counters().failed_writes, 1U);
+  EXPECT_EQ(desk_->counters().rejected.at(Rejection::kNoJournal), 1U);
+  submit("b");
+  EXPECT_TRUE(desk_->load(now_).takes_writes);
+  EXPECT_EQ(desk_->counters().writes, 1U);
+}
+
 }  // namespace
 }  // namespace accord
