@@ -8,10 +8,7 @@ endif()
 include(GNUInstallDirs)
 
 # The component `programs`: what runs, with scenes to try it on and the manual.
-set(accord_programs accord accord-fleet accord-coordinator accord-worker)
-if(TARGET accord-discovery)
-  list(APPEND accord_programs accord-discovery)
-endif()
+set(accord_programs accord accord-fleet accord-coordinator accord-worker accord-discovery)
 install(TARGETS ${accord_programs} COMPONENT programs)
 
 # Scenes that show something, with all files that any of them names; the others are for measuring.
@@ -29,15 +26,28 @@ install(DIRECTORY scenes/ DESTINATION ${accord_scenes_folder} COMPONENT programs
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 
+# The components `library` and `development`: the fleet-manager library, and what it takes to compile
+# with it; the IDL is for those who speak DDS by themselves.
+install(TARGETS accord_fleet_library EXPORT accord
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+foreach(header ${accord_fleet_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION include/accord/${folder} COMPONENT development)
+endforeach()
+set(accord_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/accord)
+install(EXPORT accord NAMESPACE accord:: FILE accord-targets.cmake
+  DESTINATION ${accord_cmake_folder} COMPONENT development)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(accord-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/accord-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/accord-config-version.cmake
+  DESTINATION ${accord_cmake_folder} COMPONENT development)
+install(FILES idl/fleet.idl idl/ros.idl DESTINATION ${CMAKE_INSTALL_DATADIR}/accord/idl
+  COMPONENT development)
+install(FILES client/example/fleet_manager_example.cpp deploy/example/CMakeLists.txt
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libaccord-fleet-dev/examples COMPONENT development)
+
 # The component `service`: units, and configuration for them. Only in a package, since it has places
 # of its own, which no prefix moves.
-foreach(service coordinator worker discovery)
-  if(TARGET accord-${service})
-    install(FILES deploy/systemd/accord-${service}.service DESTINATION /usr/lib/systemd/system
-      COMPONENT service EXCLUDE_FROM_ALL)
-    install(FILES deploy/etc/${service}.yaml DESTINATION /etc/accord
-      COMPONENT service EXCLUDE_FROM_ALL)
-  endif()
-endforeach()
-install(FILES deploy/systemd/accord-.service.d/10-accord.conf
-  DESTINATION /usr/lib/systemd/system/accord-.service.d COMPONENT service EXCLUDE_FROM_ALL)
+install(DIRECTORY deploy/systemd/ DESTINATION /usr/lib/systemd/system
+  COMPONENT service EXCLUDE_FROM_ALL)
+install(DIRECTORY deploy/etc/ DESTINATION /etc/accord COMPONENT service EXCLUDE_FROM_ALL)

@@ -30,8 +30,9 @@ struct DdsOptions {
   enum class Transport {
     kSharedMemory,  // this machine only, and only processes that see the same /dev/shm
     kUdp,
-    kBoth,  // shared memory where it reaches. Not for containers that share the host's network but
-            // not its /dev/shm: they would find each other and never talk
+    kBoth,  // shared memory where it reaches; UDP alone where another user's is on the machine. Not
+            // for containers that share the host's network but not its /dev/shm: they would find
+            // each other and never talk
   };
   enum class Discovery {
     kMulticast,

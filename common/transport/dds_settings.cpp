@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/transport/dds_discovery.h"
+
 namespace accord {
 namespace {
 

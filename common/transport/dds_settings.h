@@ -2,10 +2,11 @@
 #pragma once
 
 #include "common/runtime/settings.h"
-#include "common/transport/dds_discovery.h"
 #include "common/transport/dds_options.h"
 
 namespace accord {
+
+struct DiscoveryServerOptions;
 
 // Adds a setting for each option, but for the protocol, which is not for people; and a check that
 // they go together. `options` must outlive the table.

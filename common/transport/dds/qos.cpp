@@ -4,11 +4,14 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "common/transport/dds/shared_memory.h"
 
 namespace accord::dds {
 namespace {
@@ -26,6 +29,7 @@ constexpr std::uint32_t kLargestSharedMessage = 16 * kMebi;
 // How many participants of one machine are looked for at each initial peer's address.
 constexpr std::uint32_t kPeersAnAddress = 32;
 constexpr const char* kLoopback = "127.0.0.1";
+constexpr const char* kSharedMemory = "/dev/shm";
 
 Duration_t duration(std::chrono::nanoseconds time) {
   constexpr std::int64_t kSecond = 1'000'000'000;
@@ -48,9 +52,16 @@ std::vector<std::string> interfaces_of(const DdsOptions& options) {
   return out;
 }
 
+bool shares_memory(DdsOptions::Transport transport) {
+  if (transport != DdsOptions::Transport::kBoth) {
+    return transport == DdsOptions::Transport::kSharedMemory;
+  }
+  return !others_share_memory(kSharedMemory, geteuid());
+}
+
 void add_transports(const DdsOptions& options, DomainParticipantQos& qos) {
   qos.transport().use_builtin_transports = false;
-  if (options.transport != DdsOptions::Transport::kUdp) {
+  if (shares_memory(options.transport)) {
     auto memory = std::make_shared<SharedMemTransportDescriptor>();
     const auto segment = static_cast<std::uint32_t>(options.segment_bytes);
     memory->segment_size(segment);
