@@ -54,6 +54,9 @@ struct BoardCounters {
   std::uint64_t& reassigned_since(Reassigned why) {
     return reassigned_for.at(static_cast<std::size_t>(why));
   }
+  std::uint64_t reassigned(Reassigned why) const {
+    return reassigned_for.at(static_cast<std::size_t>(why));
+  }
   std::uint64_t reassigned() const {
     std::uint64_t total = 0;
     for (const std::uint64_t count : reassigned_for) total += count;

@@ -19,10 +19,10 @@ using RequestId = std::uint64_t;
 // What the tasks of a request have in common.
 struct RequestWork {
   RequestId request = 0;
-  std::string name = {};  // the request's id, as its sender calls it; for logs
   SceneHash scene;
   std::shared_ptr<const Bytes> scene_bytes;  // canonical; handed to workers who lack the scene
   RoadmapPartners partners = {};
+  std::string name = {};  // the request's id, as its sender calls it; for logs
 };
 
 struct NewTask {

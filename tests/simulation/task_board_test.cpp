@@ -401,7 +401,7 @@ TEST(TaskBoard, DropsWhatWasSaidOfAFormerEpoch) {
   board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(610));
   EXPECT_FALSE(board.take_finished());
   EXPECT_EQ(board.counters().late, 1U);
-  EXPECT_EQ(board.counters().reassigned_since(Reassigned::kUnheard), 1U);
+  EXPECT_EQ(board.counters().reassigned(Reassigned::kUnheard), 1U);
   late.key = *second;
   board.on_event({kWorker, Message(ResultBatch{{late}})}, milliseconds(620));
   EXPECT_TRUE(board.take_finished());
