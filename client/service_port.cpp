@@ -28,7 +28,8 @@ std::unique_ptr<FleetClientPort> open_port_or_explain(const DdsOptions& dds, Hea
 
 void explain_no_service(const Patience& patience) {
   std::cerr << "accord: no service has answered within " << patience.seconds
-            << " s; is a coordinator running in the same domain and cluster?\n";
+            << " s; is a coordinator running in the same domain and cluster? \"accord doctor\" "
+               "finds out\n";
 }
 
 }  // namespace accord

@@ -68,7 +68,7 @@ struct AddressProbe {
   std::string fault = {};   // as the system says: no route, no such host; empty: silence
 };
 
-// What one participant saw; which kind, says where it stands.
+// What one participant of ours saw of the domain.
 struct Look {
   std::string join_fault;  // empty: it has joined
   DomainSurvey survey;

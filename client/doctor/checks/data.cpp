@@ -27,11 +27,33 @@ bool is_reached_over_udp(const Observations& seen, const Peers& peers) {
   return false;
 }
 
+// A service tells how it stands every two seconds, to whoever it has matched. Whether one has not.
+bool check_status(const Observations& seen, std::vector<Finding>& out) {
+  if (seen.as_told.survey.service) return false;
+  Peers mute = members_with(seen, Silence::kNone);
+  std::erase_if(mute, [&seen](const SeenParticipant* peer) {
+    return !peer->name || peer->name->role != AccordName::Role::kService ||
+           !speaks_our_protocol(seen, *peer->name);
+  });
+  if (mute.empty()) return false;
+  out.push_back({Severity::kFault,
+                 Concern::kNoData,
+                 fmt::format("has told of its readers and writers, but for {:.1f} s not how it "
+                             "stands: {}",
+                             seen.listened, names_of(mute)),
+                 "A service says so every two seconds: it hangs, or what it sends is lost.",
+                 {"curl http://HOST:PORT/healthz    # where it has metrics.port; 503: it hangs",
+                  "accord doctor --patience 60    # on bad networks"}});
+  return true;
+}
+
 }  // namespace
 
 void check_data(const Observations& seen, std::vector<Finding>& out) {
   if (!seen.as_told.join_fault.empty()) return;
   const Peers silent = members_with(seen, Silence::kUnknown);
+  const bool is_mute = check_status(seen, out);
+  if (silent.empty() && is_mute) return;
   if (silent.empty()) {
     const std::size_t reached = members_with(seen, Silence::kNone).size();
     out.push_back(fine(Concern::kNoData, fmt::format("{} participants of the cluster have told of "

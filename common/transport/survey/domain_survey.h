@@ -70,7 +70,7 @@ inline constexpr std::size_t kSeenParticipants = 1000;  // further ones are pass
 inline constexpr std::size_t kSeenTopics = 64;
 
 struct DomainSurvey {
-  std::vector<SeenParticipant> participants;  // by guid; those that have gone, too
+  std::vector<SeenParticipant> participants;  // by guid; without those that have gone
   std::optional<ServiceStatus> service;       // the latest that came
   std::vector<WorkerStatus> workers;          // the latest of each
 };

@@ -43,7 +43,7 @@ class OnTwoHosts(Patient):
     def test_multicast_that_is_dropped(self):
         come, go = ((chain, "-d", "224.0.0.0/4", "-j", "DROP") for chain in ("INPUT", "OUTPUT"))
         with self.broken("b", ("iptables", "-A", *come), ("iptables", "-D", *come)):
-            diagnosis = self.doctor("b", *self.FLAGS)  # who is asked still answers
+            diagnosis = self.run_doctor("b", *self.FLAGS)  # who is asked still answers
             self.assertEqual((diagnosis.faults, diagnosis.warnings), ([], ["multicast"]))
             self.assertIn("did not come back", diagnosis["multicast"]["seen"])
             with self.broken("b", ("iptables", "-A", *go), ("iptables", "-D", *go)):
@@ -53,7 +53,7 @@ class OnTwoHosts(Patient):
     def test_multicast_that_is_switched_off(self):
         link = ("ip", "link", "set", "eth0", "multicast")
         with self.broken("b", (*link, "off"), (*link, "on")):
-            diagnosis = self.doctor("b", *self.FLAGS)
+            diagnosis = self.run_doctor("b", *self.FLAGS)
         self.assertEqual(diagnosis.warnings, ["multicast"], diagnosis.text)
         self.assertIn("ip link set eth0 multicast on", diagnosis["multicast"]["mend"])
 
@@ -61,10 +61,10 @@ class OnTwoHosts(Patient):
         peers = (*self.FLAGS, "--discovery", "peers", "--address", A)
         self.await_health("b", *peers)
         found = self.assert_fault("peer-unreachable",
-                                  self.doctor("b", *peers, "--address", "10.99.0.1"))
+                                  self.run_doctor("b", *peers, "--address", "10.99.0.1"))
         self.assertIn("10.99.0.1: Network is unreachable", found["seen"])
         found = self.assert_fault("peer-unreachable",
-                                  self.doctor("b", *peers, "--address", f"{B}:9"))
+                                  self.run_doctor("b", *peers, "--address", f"{B}:9"))
         self.assertIn(f"{B}:9: nobody listens there", found["seen"])
 
     def test_a_discovery_server_that_is_gone(self):
@@ -102,7 +102,7 @@ class OnTwoHosts(Patient):
     def test_a_worker_of_another_protocol(self):
         self.start_here("a", ODD_PARTICIPANT, "protocol", "2", A, "plant")
         time.sleep(0.5)
-        found = self.assert_fault("protocol", self.doctor("b", *self.FLAGS))
+        found = self.assert_fault("protocol", self.run_doctor("b", *self.FLAGS))
         self.assertIn("speaks 2", found["seen"])
 
     def test_a_service_of_another_cluster(self):
@@ -114,7 +114,7 @@ class OnTwoHosts(Patient):
         self.start_here("a", WORKER, "--log", "off", "--threads", "1", *self.FLAGS,
                         under=("env", f"LD_PRELOAD={SKEWED_CLOCK}", "CLOCK_AHEAD=3600"))
         time.sleep(0.5)
-        diagnosis = self.doctor("b", *self.FLAGS)
+        diagnosis = self.run_doctor("b", *self.FLAGS)
         self.assertEqual((diagnosis.faults, diagnosis.warnings, diagnosis.code),
                          ([], ["clock-skew"], DONE), diagnosis.text)
         self.assertRegex(diagnosis["clock-skew"]["seen"], r"worker \w{16} is 3(600|599)\.\d+ s ahead")
@@ -131,7 +131,7 @@ class OnTwoHosts(Patient):
         flags = ("--transport", "udp", "--domain", "6")
         self.start_here("a", COORDINATOR, "--log", "off", *flags)
         time.sleep(0.5)
-        self.assert_fault("workers", self.doctor("b", *flags))
+        self.assert_fault("workers", self.run_doctor("b", *flags))
         self.start_here("a", WORKER, "--log", "off", "--threads", "1", *flags)
         self.await_health("b", *flags)
 
@@ -143,7 +143,7 @@ class OnTwoHosts(Patient):
     def test_socket_buffers_that_are_small(self):
         small = pathlib.Path(self.folder) / "rmem_max"
         small.write_text("212992\n")
-        diagnosis = self.doctor("b", *self.FLAGS, under=(
+        diagnosis = self.run_doctor("b", *self.FLAGS, under=(
             "sh", "-c", f'mount --bind {small} /proc/sys/net/core/rmem_max && exec "$@"', "sh"))
         self.assertEqual((diagnosis.faults, diagnosis.warnings, diagnosis.code),
                          ([], ["socket-buffers"], DONE), diagnosis.text)

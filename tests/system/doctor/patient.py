@@ -112,14 +112,15 @@ class Patient(unittest.TestCase):
                 stream.close()
 
     @classmethod
-    def run_doctor(cls, host, *flags, patience=3, **options):
+    def run_doctor(cls, host, *flags, patience=10, **options):
         process = cls.start(host, ACCORD, "doctor", "--json", "--patience", patience, *flags,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
         out, error = process.communicate(timeout=60)
         return Diagnosis(subprocess.CompletedProcess([], process.returncode, out, error))
 
-    def doctor(self, host, *flags, **options):
-        return self.run_doctor(host, *flags, **options)
+    def doctor(self, host, *flags, patience=2, **options):
+        """Of what is broken: it listens to the end of its patience, mostly in vain."""
+        return self.run_doctor(host, *flags, patience=patience, **options)
 
     @classmethod
     def await_health(cls, host, *flags, within=20, **options):

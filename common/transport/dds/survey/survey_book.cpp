@@ -83,6 +83,13 @@ void SurveyBook::discovered(const eprosima::fastrtps::rtps::ParticipantProxyData
   signal_.raise();
 }
 
+void SurveyBook::gone(const GuidPrefix& participant) {
+  const std::scoped_lock lock(mutex_);
+  entries_.erase(participant);
+  std::erase_if(endpoints_,
+                [&participant](const Guid& guid) { return guid.guidPrefix == participant; });
+}
+
 void SurveyBook::has_endpoint(const Guid& endpoint, const std::string& topic,
                               const eprosima::fastdds::dds::PartitionQosPolicy& partitions) {
   {

@@ -31,6 +31,7 @@ class SurveyBook {
 
   void set_own(const GuidPrefix& own);
   void discovered(const eprosima::fastrtps::rtps::ParticipantProxyData& data);
+  void gone(const GuidPrefix& participant);
   void has_endpoint(const Guid& endpoint, const std::string& topic,
                     const eprosima::fastdds::dds::PartitionQosPolicy& partitions);
   void matched(const Guid& theirs, int change);

@@ -17,10 +17,9 @@ class SurveyListener final : public eprosima::fastdds::dds::DomainParticipantLis
       eprosima::fastdds::dds::DomainParticipant*,
       eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override {
     using Info = eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
-    if (info.status == Info::DISCOVERED_PARTICIPANT ||
-        info.status == Info::CHANGED_QOS_PARTICIPANT) {
-      book_.discovered(info.info);
-    }
+    const bool is_gone =
+        info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT;
+    is_gone ? book_.gone(info.info.m_guid.guidPrefix) : book_.discovered(info.info);
   }
   void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant*,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override {

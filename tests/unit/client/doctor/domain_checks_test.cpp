@@ -135,6 +135,12 @@ TEST(ServiceCheck, TellsNobodyFromNoAnswer) {
   EXPECT_NE(finding_of(seen, Concern::kService).seen.find("also in domain 7"), std::string::npos);
 }
 
+TEST(DataCheck, MissesWhatAServiceSaysThatIsThere) {
+  Observations seen = healthy();
+  seen.as_told.survey.service.reset();
+  EXPECT_EQ(complaints(seen), (Complaints{"fault no-data", "warning service"}));
+}
+
 TEST(ServiceCheck, FindsWorkersThatTheServiceDoesNotUse) {
   Observations seen = healthy();
   seen.as_told.survey.workers[0].standing = "distrusted";
