@@ -32,11 +32,13 @@ set(accord_fleet_headers
   common/transport/fleet/dds_fleet.h
   common/transport/fleet/fleet_messages.h
   common/transport/fleet/fleet_port.h
+  common/transport/fleet/fleet_traffic.h
   common/transport/fleet/path_assembly.h
   common/transport/fleet/plan_parts.h
   common/transport/fleet/robot_port.h
   common/transport/messages.h
-  common/transport/ros/ros_options.h)
+  common/transport/ros/ros_options.h
+  common/transport/traffic.h)
 # Where what they declare is defined, where that is not the file of the same name.
 set(accord_fleet_other_sources
   common/transport/fleet/dds_fleet_client.cpp
