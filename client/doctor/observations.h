@@ -29,6 +29,9 @@ struct SharedMemory {
   std::vector<std::string> stale;
   std::uint64_t stale_bytes = 0;
   bool has_foreign_stale = false;  // of another user: only that one or root may remove them
+  // Another user of whom there is something of Fast DDS's, alive or not: a process that may use
+  // both leaves shared memory then (common/transport/dds/shared_memory.h).
+  std::optional<std::uint32_t> other_user = std::nullopt;
 };
 
 // A port in shared memory that a participant of this machine says to listen on.

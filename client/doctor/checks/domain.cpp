@@ -23,8 +23,8 @@ bool is_here(const Observations& seen, const std::string& ip) {
   });
 }
 
-const char* ways_of(const DdsOptions& options) {
-  switch (options.transport) {
+const char* ways_of(const Observations& seen) {
+  switch (seen.options.transport) {
     case DdsOptions::Transport::kSharedMemory:
       return "shared memory";
     case DdsOptions::Transport::kUdp:
@@ -32,7 +32,7 @@ const char* ways_of(const DdsOptions& options) {
     case DdsOptions::Transport::kBoth:
       break;
   }
-  return "shared memory and UDP";
+  return leaves_shared_memory(seen) ? "UDP" : "shared memory and UDP";
 }
 
 void check_interfaces(const Observations& seen, std::vector<Finding>& out) {
@@ -68,7 +68,7 @@ void check_domain(const Observations& seen, std::vector<Finding>& out) {
   if (seen.as_told.join_fault.empty()) {
     out.push_back(
         fine(Concern::kDomain, fmt::format("joined domain {}, cluster \"{}\", by {}",
-                                           options.domain, options.cluster, ways_of(options))));
+                                           options.domain, options.cluster, ways_of(seen))));
     return;
   }
   const bool is_told = std::ranges::any_of(out, [](const Finding& finding) {

@@ -57,6 +57,15 @@ bool is_unreachable(const AddressProbe& probe) {
 
 }  // namespace
 
+bool leaves_shared_memory(const Observations& seen) {
+  return seen.options.transport == DdsOptions::Transport::kBoth && seen.memory.other_user;
+}
+
+bool is_shut_out_of_memory(const Observations& seen) {
+  return seen.options.transport == DdsOptions::Transport::kSharedMemory && seen.memory.other_user &&
+         members(seen, seen.as_told.survey).empty();
+}
+
 bool uses_shared_memory(const DdsOptions& options) {
   return options.transport != DdsOptions::Transport::kUdp;
 }

@@ -12,6 +12,10 @@ namespace accord {
 using Peers = std::vector<const SeenParticipant*>;
 
 bool uses_shared_memory(const DdsOptions& options);
+// Whether a process that starts now leaves it, since another user's is there.
+bool leaves_shared_memory(const Observations& seen);
+// Whether it is told to use nothing else, and finds nobody where only another user's is.
+bool is_shut_out_of_memory(const Observations& seen);
 bool uses_udp(const DdsOptions& options);
 
 // Of our cluster, of whatever protocol; clients not.

@@ -49,29 +49,50 @@ void check_sharing(const Observations& seen, std::vector<Finding>& out) {
         "ACCORD_DDS_TRANSPORT=udp    # for all of them"}});
 }
 
+std::vector<std::string> one_user_for_all(std::uint32_t owner) {
+  return {fmt::format("setpriv --reuid {} --clear-groups accord-worker    # the same user for all; "
+                      "docker run --user {}",
+                      owner, owner),
+          "ACCORD_DDS_TRANSPORT=udp    # for all of them"};
+}
+
+constexpr const char* kClosed =
+    "Fast DDS makes shared memory that only its own user may write to, root neither for others nor "
+    "others for root. ";
+
 void check_users(const Observations& seen, std::vector<Finding>& out) {
   const Peers foreign = members_with(seen, Silence::kOtherUser);
-  if (foreign.empty()) {
+  if (!foreign.empty()) {
+    std::uint32_t owner = 0;
+    for (const auto& [number, port] : seen.shared_ports) {
+      if (port.state == SharedPort::State::kDenied) owner = port.owner;
+    }
+    const auto with_its_owner = [&seen](const SeenParticipant& peer) {
+      return with_owner(seen, peer);
+    };
+    out.push_back({Severity::kFault, Concern::kShmOtherUser,
+                   fmt::format("not to be opened for writing by user {}: {}", seen.user,
+                               names_of(foreign, with_its_owner)),
+                   std::string(kClosed) + "Processes find each other, and nothing arrives.",
+                   one_user_for_all(owner)});
+  } else if (is_shut_out_of_memory(seen)) {
+    out.push_back(
+        {Severity::kFault, Concern::kShmOtherUser,
+         fmt::format("told to use shared memory alone as user {}, and Fast DDS of user {} "
+                     "is in {}",
+                     seen.user, *seen.memory.other_user, kSharedMemoryFolder),
+         std::string(kClosed) + "They do not even find each other.",
+         one_user_for_all(*seen.memory.other_user)});
+  } else if (leaves_shared_memory(seen)) {
+    out.push_back({Severity::kWarning, Concern::kShmOtherUser,
+                   fmt::format("Fast DDS of user {} is in {}: what starts now as user {} goes by "
+                               "UDP alone",
+                               *seen.memory.other_user, kSharedMemoryFolder, seen.user),
+                   std::string(kClosed) + "Large messages take longer by UDP.",
+                   one_user_for_all(*seen.memory.other_user)});
+  } else {
     out.push_back(fine(Concern::kShmOtherUser, "nobody's shared memory is closed to this user"));
-    return;
   }
-  std::uint32_t owner = 0;
-  for (const auto& [number, port] : seen.shared_ports) {
-    if (port.state == SharedPort::State::kDenied) owner = port.owner;
-  }
-  out.push_back({Severity::kFault,
-                 Concern::kShmOtherUser,
-                 fmt::format("not to be opened for writing by user {}: {}", seen.user,
-                             names_of(foreign,
-                                      [&seen](const SeenParticipant& peer) {
-                                        return with_owner(seen, peer);
-                                      })),
-                 "Fast DDS makes shared memory that only its own user may write to, root neither "
-                 "for others nor others for root. Processes find each other, and nothing arrives.",
-                 {fmt::format("setpriv --reuid {} --clear-groups accord-worker    # the same user "
-                              "for all; docker run --user {}",
-                              owner, owner),
-                  "ACCORD_DDS_TRANSPORT=udp    # for all of them"}});
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ Finding of_memory(const Peers& hidden) {
 }  // namespace
 
 void check_transport(const Observations& seen, std::vector<Finding>& out) {
-  if (!seen.as_told.join_fault.empty()) return;
+  if (!seen.as_told.join_fault.empty() || is_shut_out_of_memory(seen)) return;
   Peers by_udp = only_in(seen, seen.by_udp);
   for (const SeenParticipant* peer : members_with(seen, Silence::kOtherNetwork)) {
     by_udp.push_back(peer);

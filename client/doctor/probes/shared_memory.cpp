@@ -91,6 +91,13 @@ bool is_own(const std::string& port_file) {
   return false;
 }
 
+std::optional<std::uint32_t> other_user_of(const std::string& file) {
+  struct stat about {};
+  const bool is_there = lstat(path_of(file).c_str(), &about) == 0;
+  if (!is_there || about.st_uid == geteuid()) return std::nullopt;
+  return about.st_uid;
+}
+
 }  // namespace
 
 SharedMemory look_at_shared_memory() {
@@ -103,6 +110,7 @@ SharedMemory look_at_shared_memory() {
   for (const std::string& file : names_in_folder()) {
     const auto locked = locked_by(file);
     if (!locked) continue;
+    if (!out.other_user) out.other_user = other_user_of(file);
     if (!has_no_owner(file)) {
       if (!locked->is_port) ++out.owned;
       continue;

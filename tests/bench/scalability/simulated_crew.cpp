@@ -97,7 +97,7 @@ void SimulatedCrew::happen(const Event& event) {
         return;
       }
       account_.longest = std::max(account_.longest, entry.seconds);
-      back_.push_back({event.ticket, entry.resolution, entry.seconds, nullptr});
+      back_.push_back({event.ticket, entry.resolution, entry.seconds, nullptr, {}});
       return;
     }
     case Event::Kind::kArrives:

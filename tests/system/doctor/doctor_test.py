@@ -166,10 +166,17 @@ class OnOneHost(Patient):
         self.assertIn("--ipc=host", diagnosis["shm-not-shared"]["mend"][0])
 
     def test_memory_of_another_user(self):
-        diagnosis = self.doctor("a", under=NOBODY)
+        diagnosis = self.doctor("a", "--transport", "shm", under=NOBODY)
         self.assertEqual((diagnosis.faults, diagnosis.code), (["shm-other-user"], FAULT),
                          diagnosis.text)
-        self.assertIn("user 65534", diagnosis["shm-other-user"]["seen"])
+        self.assertIn("as user 65534", diagnosis["shm-other-user"]["seen"])
+
+    def test_memory_of_another_user_that_is_left_for_udp(self):
+        diagnosis = self.doctor("a", under=NOBODY)
+        self.assertEqual((diagnosis.faults, diagnosis.code), ([], DONE), diagnosis.text)
+        self.assertIn("shm-other-user", diagnosis.warnings)
+        self.assertIn("Fast DDS of user 0", diagnosis["shm-other-user"]["seen"])
+        self.assertIn("by UDP", diagnosis["domain"]["seen"])
 
     def test_segments_of_a_killed_worker(self):
         # Alone: those who have spoken with it would remove a part of what it leaves.

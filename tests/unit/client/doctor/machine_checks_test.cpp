@@ -39,6 +39,24 @@ TEST(SharedMemoryCheck, TellsFromWhichRoomOnProcessesAreKilled) {
   EXPECT_EQ(complaints(seen), Complaints{});
 }
 
+TEST(SharedMemoryCheck, WarnsWhereAnotherUsersIsLeftForUdp) {
+  Observations seen = healthy();
+  seen.memory.other_user = 7;
+  EXPECT_EQ(complaints(seen), Complaints{"warning shm-other-user"});
+  seen.options.transport = DdsOptions::Transport::kUdp;
+  EXPECT_EQ(complaints(seen), Complaints{});
+}
+
+TEST(SharedMemoryCheck, SaysWhoseKeepsAProcessOutThatMayUseNothingElse) {
+  Observations seen = healthy();
+  seen.options.transport = DdsOptions::Transport::kSharedMemory;
+  seen.memory.other_user = 7;
+  EXPECT_EQ(complaints(seen), Complaints{}) << "it has found others all the same";
+  seen.as_told.survey = {};
+  EXPECT_EQ(complaints(seen)[0], "fault shm-other-user");
+  EXPECT_EQ(finding_of(seen, Concern::kTransport).seen, "") << "that is why, not the transport";
+}
+
 TEST(SharedMemoryCheck, NamesAFolderThatIsNotThere) {
   Observations seen = healthy();
   seen.memory = {};
