@@ -119,7 +119,7 @@ std::optional<Attempted> RemoteCrew::answer(const FinishedTask& finished, UnderW
   auto resolution = decode_resolution(finished.resolution, world_.scene(), *task.subproblem);
   if (const auto fault = fault_of(*task.subproblem, resolution)) {
     const std::string why = "its resolution does not hold: " + *fault;
-    log(LogLevel::kWarning, why,
+    log(LogLevel::kDebug, why,  // the board tells people
         {{"request", request_}, {"task", out.doer.task}, {"worker", out.doer.worker}});
     // Two that say the same are no liars: the solvers are wrong.
     if (task.refused == finished.resolution) {

@@ -34,7 +34,9 @@ LogLevel level_of(const BoardNote& note) {
       break;
   }
   // Of a worker that is lost or leaves, one line says so, however many tasks it had.
-  const bool is_telling = note.reason == Reassigned::kFailed || note.reason == Reassigned::kRefused;
+  const bool is_telling = note.reason == Reassigned::kFailed ||
+                          note.reason == Reassigned::kRefused ||
+                          note.reason == Reassigned::kDistrusted;
   return is_telling ? LogLevel::kWarning : LogLevel::kDebug;
 }
 
