@@ -50,12 +50,12 @@ class WorkerTally {
     if (result.outcome != Outcome::kDone || levels.empty()) return;
     totals_.solving[counted_solver(levels.back().solver)].add(result.seconds);
   }
-  void note_turn(Load load) {
+  void note_turn(const Load& load) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
     const std::chrono::duration<double> time = now - turned_;
     totals_.busy_seconds += time.count() * static_cast<double>(totals_.load.running);
-    totals_.load = std::move(load);
+    totals_.load = load;
     turned_ = now;
   }
   // From now on another bus is spoken of, which counts from 0 on.
