@@ -14,7 +14,8 @@ constexpr auto kRetry = std::chrono::milliseconds(20);
 void FleetManager::submit(PlanRequest request) {
   const auto now = Clock::now();
   std::string id = request.id;
-  waiting_[std::move(id)] = Waiting{std::move(request), now, now, settings_.again, false, false};
+  waiting_[std::move(id)] =
+      Waiting{std::move(request), now, now, settings_.again, false, false, false};
 }
 
 void FleetManager::cancel(const std::string& id) {
@@ -56,10 +57,13 @@ void FleetManager::ask(Waiting& waiting, Clock::time_point now) {
   const bool is_sent = waiting.is_cancelled && waiting.is_accepted ? port_.send(CancelRequest{id})
                        : waiting.is_accepted                       ? port_.send(ResendRequest{id})
                                                                    : port_.send(waiting.request);
+  waiting.is_sent |= is_sent;
   waiting.ask_at = now + (is_sent ? waiting.again : Clock::duration(kRetry));
   if (is_sent) waiting.again = std::min(2 * waiting.again, settings_.at_most);
 }
 
+// Of a request that has not been sent yet, only an earlier one's news can have come, which had the
+// same id: who joins late hears of what was. The service has to say whether they are the same.
 void FleetManager::take_news() {
   while (auto news = port_.take()) {
     if (auto* reply = std::get_if<RequestReply>(&*news)) {
@@ -67,12 +71,14 @@ void FleetManager::take_news() {
       if (found != waiting_.end()) on_reply(found->second, std::move(*reply));
     } else if (auto* state = std::get_if<RequestState>(&*news)) {
       const auto found = waiting_.find(state->id);
-      if (found == waiting_.end()) continue;
+      if (found == waiting_.end() || !found->second.is_sent) continue;
       found->second.is_accepted = true;
       heard_of(found->second);
       events_.push_back({state->id, std::move(*state)});
     } else if (auto* finished = std::get_if<FinishedPlan>(&*news)) {
-      if (waiting_.contains(finished->id)) end(finished->id, std::move(finished->plan));
+      const auto found = waiting_.find(finished->id);
+      if (found == waiting_.end() || !found->second.is_sent) continue;
+      end(finished->id, std::move(finished->plan));
     }
   }
 }

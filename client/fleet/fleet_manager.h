@@ -78,6 +78,7 @@ class FleetManager {
     Clock::time_point since;
     Clock::time_point ask_at;
     Clock::duration again;
+    bool is_sent = false;  // once at least
     bool is_accepted = false;
     bool is_cancelled = false;
   };

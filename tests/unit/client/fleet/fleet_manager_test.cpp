@@ -278,6 +278,22 @@ TEST_F(FleetManagerTest, CancelsTheOneRequestWhenItIsToStop) {
   EXPECT_EQ(plan->status, PlanStatus::kCancelled);
 }
 
+TEST(FleetManager, SendsItsRequestWhateverItHearsOfAnEarlierOneOfThatId) {
+  SimulatedFleet fleet(1);
+  const auto service = fleet.serve([] {});
+  const auto port = fleet.join();
+  RequestState ended;
+  ended.id = "a";
+  ended.phase = RequestPhase::kFinished;
+  service->publish(ended);  // as who joins late is told
+  FleetManager manager(*port, quick());
+  manager.submit(request_of("a"));
+  EXPECT_FALSE(manager.next(50ms)) << "that is not its own news";
+  const auto asked = service->take();
+  ASSERT_TRUE(asked);
+  EXPECT_TRUE(std::holds_alternative<PlanRequest>(*asked)) << "it has to be said what is wanted";
+}
+
 TEST(FleetManager, WaitsForTheServiceThatComesAfterOneThatIsAboutToEnd) {
   SimulatedFleet fleet(1);
   const auto port = fleet.join();
