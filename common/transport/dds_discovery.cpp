@@ -5,7 +5,10 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "common/transport/dds/domain.h"
@@ -18,7 +21,8 @@ using eprosima::fastdds::dds::DomainParticipant;
 using eprosima::fastrtps::rtps::GuidPrefix_t;
 using eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
 
-constexpr std::string_view kOurs = "accord/";
+// What the user data of coordinators and workers, and of fleet managers' ends, begins with.
+constexpr std::array<std::string_view, 2> kOurs = {"accord/", "accord-fleet/"};
 
 class Census final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
@@ -33,7 +37,9 @@ class Census final : public eprosima::fastdds::dds::DomainParticipantListener {
     if (!is_new) return;
     const auto& data = info.info.m_userData;
     std::string name(data.begin(), data.end());
-    if (!name.starts_with(kOurs)) name.clear();
+    const bool is_ours = std::ranges::any_of(
+        kOurs, [&name](std::string_view program) { return name.starts_with(program); });
+    if (!is_ours) name.clear();
     on_change_({std::move(name), is_there, present_.size()});
   }
 

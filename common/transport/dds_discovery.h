@@ -31,7 +31,9 @@ class DiscoveryServer {
  public:
   // Someone who came or went, as far as it is one of Accord's processes.
   struct Change {
-    std::string who;  // "accord/CLUSTER/PROTOCOL/ROLE/ID", else empty. From the network: anything
+    // "accord/CLUSTER/PROTOCOL/ROLE/ID", "accord-fleet/CLUSTER/VERSION/ROLE", else empty. From the
+    // network: anything.
+    std::string who;
     bool is_there = false;
     std::size_t present = 0;  // all that are there now, whosever
   };

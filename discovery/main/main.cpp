@@ -35,7 +35,7 @@ class Reporter {
   void operator()(const DiscoveryServer::Change& change) {
     participants_.set(static_cast<double>(change.present));
     const LogScope of_participant({{"participant", change.who}, {"present", change.present}});
-    spdlog::info("{} {}", change.who.empty() ? "a stranger" : change.who,
+    spdlog::info("{} {}", change.who.empty() ? "somebody who is not Accord's" : change.who,
                  change.is_there ? "has come" : "has gone");
   }
 

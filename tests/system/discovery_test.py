@@ -103,7 +103,9 @@ class Serving(DiscoveryTest):
              "--domain", str(self.domain), *self.asking()],
             capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(SOLVED, submit.returncode, submit.stderr)
-        self.assertRegex(self.log("server"), f"accord/test-{os.getpid()}/[0-9]+/worker/.* has come")
+        for who in (f"accord/test-{os.getpid()}/[0-9]+/worker/", f"accord-fleet/test-{os.getpid()}/"):
+            self.assertRegex(self.log("server"), f"{who}.* has come")
+        self.assertNotIn("not Accord's", self.log("server"))
 
     def test_sees_who_goes(self):
         self.start_server()
