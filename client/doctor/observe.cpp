@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "client/doctor/checks/peers.h"
 #include "client/doctor/diagnosis.h"
 #include "client/doctor/probes/probes.h"
 
@@ -24,10 +25,6 @@ constexpr auto kForAnswers = 400ms;
 // it.
 constexpr std::size_t kSegment = std::size_t{1} << 20;
 constexpr std::uint64_t kRoom = std::uint64_t{4} << 20;
-
-bool uses_shared_memory(const DdsOptions& options) {
-  return options.transport != DdsOptions::Transport::kUdp;
-}
 
 bool has_room(const SharedMemory& memory) {
   return memory.is_usable && memory.free_bytes >= kRoom;
