@@ -17,18 +17,12 @@ import time
 import unittest
 import urllib.request
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from binaries import ROOT, binary
 
-
-def binary(variable, name):
-    # Else the processes would take it for a setting.
-    return os.environ.pop(variable, str(ROOT / "build/bin" / name))
-
-
-ACCORD = binary("ACCORD", "accord")
-COORDINATOR = binary("ACCORD_COORDINATOR", "accord-coordinator")
-WORKER = binary("ACCORD_WORKER", "accord-worker")
-DISCOVERY = binary("ACCORD_DISCOVERY", "accord-discovery")
+ACCORD = binary("ACCORD", "bin/accord")
+COORDINATOR = binary("ACCORD_COORDINATOR", "bin/accord-coordinator")
+WORKER = binary("ACCORD_WORKER", "bin/accord-worker")
+DISCOVERY = binary("ACCORD_DISCOVERY", "bin/accord-discovery")
 
 ENDED, BUG, USAGE, BAD_FILE, UNAVAILABLE = range(5)
 SOLVED, NO_SERVICE = 0, 6

@@ -15,18 +15,14 @@ import tempfile
 import time
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from binaries import ROOT, binary
+
 SCENES = ROOT / "scenes"
 
 
-def _binary(variable, name):
-    # Else the services would take it for a setting.
-    return os.environ.pop(variable, str(ROOT / "build/bin" / name))
-
-
-ACCORD = _binary("ACCORD", "accord")
-COORDINATOR = _binary("ACCORD_COORDINATOR", "accord-coordinator")
-WORKER = _binary("ACCORD_WORKER", "accord-worker")
+ACCORD = binary("ACCORD", "bin/accord")
+COORDINATOR = binary("ACCORD_COORDINATOR", "bin/accord-coordinator")
+WORKER = binary("ACCORD_WORKER", "bin/accord-worker")
 
 ALWAYS = {"time", "level", "process", "message"}
 

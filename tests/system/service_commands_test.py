@@ -20,19 +20,15 @@ import termios
 import time
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from binaries import ROOT, binary
+
 SCENES = ROOT / "scenes"
 
 
-def _binary(variable, name):
-    # Else the services would take it for a setting.
-    return os.environ.pop(variable, str(ROOT / "build" / name))
-
-
-ACCORD = _binary("ACCORD", "bin/accord")
-COORDINATOR = _binary("ACCORD_COORDINATOR", "bin/accord-coordinator")
-WORKER = _binary("ACCORD_WORKER", "bin/accord-worker")
-EXAMPLE = _binary("FLEET_MANAGER_EXAMPLE", "examples/fleet_manager_example")
+ACCORD = binary("ACCORD", "bin/accord")
+COORDINATOR = binary("ACCORD_COORDINATOR", "bin/accord-coordinator")
+WORKER = binary("ACCORD_WORKER", "bin/accord-worker")
+EXAMPLE = binary("FLEET_MANAGER_EXAMPLE", "examples/fleet_manager_example")
 
 DONE, BUG, USAGE, BAD_INPUT, INFEASIBLE, TIMEOUT, NO_SERVICE = range(7)
 
